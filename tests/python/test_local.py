@@ -92,6 +92,33 @@ class LocalTest(unittest.TestCase):
         for x in range(4):
             np.testing.assert_array_equal(found[x], expected[x])
 
+    def test_a_world_may_be_closed_while_threads_use_it(self):
+        save = self.folder / "game.talus"
+        world = self.open()
+        world.save(save)
+        running, ends = threading.Barrier(4), []
+
+        def use(x):
+            world.generate(x, 3, 0)
+            running.wait()
+            try:
+                while True:
+                    world.generate_all([(4 * at, 3, 8 * x) for at in range(20)])
+                    world.edit([((x, 200, 0), "planks")])
+                    world.edit([((x, 200, 0), "air")])
+            except ValueError as error:
+                ends.append(str(error))
+
+        threads = [threading.Thread(target=use, args=(x,)) for x in range(3)]
+        for thread in threads:
+            thread.start()
+        running.wait()
+        world.close()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(ends, ["the world is closed"] * 3)
+        self.open(save).close()  # is in use no longer
+
 
 if __name__ == "__main__":
     unittest.main()

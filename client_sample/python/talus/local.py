@@ -12,6 +12,7 @@ the system's libtalus-local.so.1.
 """
 
 import collections
+import contextlib
 import ctypes
 import os
 import threading
@@ -141,6 +142,7 @@ class World:
 
     def __init__(self, pointer):
         self._pointer = pointer
+        self._calls, self._is_closed, self._lock = 0, False, threading.RLock()
         self._of_thread = threading.local()
         info = self._info()
         self.fingerprint = f"{info.fingerprint_high:016x}{info.fingerprint_low:016x}"
@@ -176,14 +178,16 @@ class World:
         """Voxels of chunks (x, y, z) or (x, y, z, lod), uint16[chunk][y][z][x]. Neighbours share work."""
         keys = [_Key(*(tuple(key) + (0,))[:4]) for key in keys]
         voxels = np.empty((len(keys), 32, 32, 32), np.uint16)
-        _check(_lib().talus_generate(self._workspace(), (_Key * len(keys))(*keys), len(keys),
-                                     _WITHOUT_EDITS * (not edits), voxels.ctypes.data, None))
+        with self._workspace() as workspace:
+            _check(_lib().talus_generate(workspace, (_Key * len(keys))(*keys), len(keys),
+                                         _WITHOUT_EDITS * (not edits), voxels.ctypes.data, None))
         return voxels
 
     def heights(self, x, z, width, depth, lod=0):
         """Ground as generated of width * depth columns from (x, z) on, float64[z][x], in voxels of the level."""
         heights = np.empty((depth, width), np.int32)
-        _check(_lib().talus_heights(self._open(), x, z, width, depth, lod, heights.ctypes.data, heights.size))
+        with self._open() as world:
+            _check(_lib().talus_heights(world, x, z, width, depth, lod, heights.ctypes.data, heights.size))
         return heights / 256
 
     def edit(self, writes=(), *, guards=(), fills=()):
@@ -213,19 +217,21 @@ class World:
             ids = numbers([missing if name is None else self._id(name) for name in given], np.int32)
             setattr(edit, "fill_materials" if field == "material" else "fill_only", ids)
         result = _EditResult()
-        status = _lib().talus_apply_edit(self._workspace(), ctypes.byref(edit), ctypes.byref(result))
-        if status == _CONFLICT:
-            raise Conflict(_lib().talus_local_error().decode(), result.conflict)
-        _check(status)
-        chunks = [(key.x, key.y, key.z, key.level) for key in result.chunks[: result.chunk_count]]
+        with self._workspace() as workspace:
+            status = _lib().talus_apply_edit(workspace, ctypes.byref(edit), ctypes.byref(result))
+            if status == _CONFLICT:
+                raise Conflict(_lib().talus_local_error().decode(), result.conflict)
+            _check(status)
+            chunks = [(key.x, key.y, key.z, key.level) for key in result.chunks[: result.chunk_count]]
         return Edited(result.revision, result.changed_voxels, chunks)
 
     def save(self, path=None):
         """Keeps all edits: in a new file from now on, or in the world's save. They are on the disk when it returns."""
-        if path is not None:
-            _check(_lib().talus_save_create(self._open(), os.fsencode(path)))
-        else:
-            _check(_lib().talus_save_commit(self._open()))
+        with self._open() as world:
+            if path is not None:
+                _check(_lib().talus_save_create(world, os.fsencode(path)))
+            else:
+                _check(_lib().talus_save_commit(world))
 
     @property
     def revision(self):
@@ -243,17 +249,17 @@ class World:
         count, room = _size(), 0
         while True:
             keys = (_Key * room)()
-            _check(_lib().talus_get_changed_chunks(self._open(), keys, room, ctypes.byref(count)))
+            with self._open() as world:
+                _check(_lib().talus_get_changed_chunks(world, keys, room, ctypes.byref(count)))
             if count.value <= room:
                 return [(key.x, key.y, key.z) for key in keys[: count.value]]
             room = count.value
 
     def close(self):
-        """Closes the world and its save. Edits that save() has not kept are lost."""
-        if self._pointer:
-            self._of_thread = threading.local()
-            _lib().talus_world_close(self._pointer)
-            self._pointer = None
+        """Closes the world and its save, after calls that run in other threads. Edits not saved are lost."""
+        with self._lock:
+            self._is_closed = True
+            self._free_if_unused()
 
     __del__ = close
 
@@ -263,25 +269,42 @@ class World:
     def __exit__(self, *_):
         self.close()
 
-    def _open(self):
-        if not self._pointer:
-            raise ValueError("the world is closed")
-        return self._pointer
+    def _free_if_unused(self):
+        if self._is_closed and self._calls == 0 and self._pointer:
+            self._of_thread = None  # destroys the workspaces of all threads
+            _lib().talus_world_close(self._pointer)
+            self._pointer = None
 
+    @contextlib.contextmanager
+    def _open(self):
+        with self._lock:
+            if self._is_closed:
+                raise ValueError("the world is closed")
+            self._calls += 1
+        try:
+            yield self._pointer
+        finally:
+            with self._lock:
+                self._calls -= 1
+                self._free_if_unused()
+
+    @contextlib.contextmanager
     def _workspace(self):
-        world = self._open()
-        if not hasattr(self._of_thread, "workspace"):
-            self._of_thread.workspace = _Workspace(world)
-        return self._of_thread.workspace.pointer
+        with self._open() as world:
+            if not hasattr(self._of_thread, "workspace"):
+                self._of_thread.workspace = _Workspace(world)
+            yield self._of_thread.workspace.pointer
 
     def _info(self):
         info = _Info()
-        _check(_lib().talus_world_get_info(self._open(), ctypes.byref(info)))
+        with self._open() as world:
+            _check(_lib().talus_world_get_info(world, ctypes.byref(info)))
         return info
 
     def _material(self, index):
         material = _Material()
-        _check(_lib().talus_world_get_material(self._open(), index, ctypes.byref(material)))
+        with self._open() as world:
+            _check(_lib().talus_world_get_material(world, index, ctypes.byref(material)))
         return Material(material.id, material.name.decode(), material.colour, _PHASES[material.phase])
 
     def _id(self, material):
