@@ -24,6 +24,7 @@ class Gate {
   void close() {
     const std::lock_guard lock{mutex_};
     open_ = false;
+    executor_ = {};  // a strand must not outlive its context
   }
 
  private:
