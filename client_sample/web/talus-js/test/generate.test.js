@@ -137,6 +137,37 @@ test('after a connection that broke, nothing is made twice', async (t) => {
   assert.equal(client.stats.madeChunks, madeChunks);
 });
 
+test('with another store its edits alone are seen', async (t) => {
+  const store = (digit) => ({ ...published, storeId: digit.repeat(32) });
+  const { client, accept } = script({ url: 'ws://here', generate: 'always', fetch: answers(toml) });
+  t.after(() => client.close());
+  const chunks = new Map();
+  client.on('chunk', (came) => chunks.set(nameOf(came.key), came));
+  client.setView(VIEW);
+  const both = { ...MIXED, z: 1 };
+  const whole = async (side, edits) => {
+    let view;
+    do view = await side.next('View');
+    while (!view.hasBase);
+    const answering = answerProofs(side);
+    t.after(() => answering.end());
+    const complete = new Promise((resolve) => client.on('viewComplete', resolve));
+    side.say(...edits, viewComplete(view.number));
+    await complete;
+    answering.end();
+  };
+  const side = await accept(welcome(store('a')));
+  const edit = (key, revision, material) => broadcast({ key, revision, previous: 0, runs: oneVoxel(material) });
+  await whole(side, [edit(MIXED, 7, 3), edit(both, 8, 3)]);
+  assert.deepEqual([MIXED, both].map((key) => voxelOf(chunks.get(nameOf(key)))), [3, 3]);
+  side.breakOff(new Error('gone'));
+  await whole(await accept(welcome(store('b'))), [edit(both, 2, 4)]);
+  const again = chunks.get(nameOf(MIXED));
+  assert.deepEqual([again.revision, decodeChunk(again.payload).voxels], [0n, alone.generate(MIXED).voxels]);
+  const other = chunks.get(nameOf(both));
+  assert.deepEqual([other.revision, voxelOf(other)], [2n, 4]);
+});
+
 test('one chunk that differs from the server\'s, and all are streamed', async (t) => {
   const { client, side, errors } = await joined(t);
   const view = await side.next('View');

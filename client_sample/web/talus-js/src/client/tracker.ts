@@ -46,9 +46,14 @@ export class Tracker {
     return left;
   }
 
-  /** Revisions of another store are not comparable with the held ones. */
+  /** Revisions of another store are not comparable with the held ones. What is as generated is so with any store. */
   forgetRevisions(): void {
-    for (const [name, chunk] of this.delivered) this.delivered.set(name, { ...chunk, revision: -1n });
+    for (const [name, chunk] of this.delivered) if (chunk.revision !== 0n) this.delivered.set(name, { ...chunk, revision: -1n });
+  }
+
+  /** The chunks with edits of another store. */
+  outdated(): ChunkKey[] {
+    return [...this.delivered.values()].filter(({ revision }) => revision < 0n).map(({ key }) => key);
   }
 
   /** True if the chunk must be delivered: it is in the View, and new or newer. */
@@ -70,6 +75,11 @@ export class Tracker {
 
   has(key: ChunkKey): boolean {
     return this.delivered.has(keyName(key));
+  }
+
+  /** True unless it is missing, or outdated(). */
+  hasCurrent(key: ChunkKey): boolean {
+    return (this.find(key)?.revision ?? -1n) >= 0n;
   }
 
   find(key: ChunkKey): DeliveredChunk | undefined {

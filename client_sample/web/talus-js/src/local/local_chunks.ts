@@ -63,6 +63,8 @@ export class LocalChunks {
 
   joined(): void {
     this.isOn = true;
+    // Of these the server says nothing if they are without edits now.
+    for (const key of this.tracker.outdated()) this.making.forget(key);
     this.proofs.begin();
   }
 
@@ -91,7 +93,7 @@ export class LocalChunks {
     const held = this.tracker.find(key);
     if (held !== undefined && revision <= held.revision) return true;
     const waiting = this.edits.get(name);
-    const isBase = held !== undefined && held.revision === 0n && held.hash === null && held.material === null;
+    const isBase = held !== undefined && (held.revision < 0n || (held.revision === 0n && held.hash === null && held.material === null));
     if (held !== undefined && !isBase && waiting === undefined) return false;
     if (previousRevision > (waiting?.revision ?? 0n) || this.editBytes + runs.length > MAX_WAITING_BYTES) {
       this.drop(name);
@@ -126,7 +128,7 @@ export class LocalChunks {
     if (waiting !== undefined) {
       this.drop(name);
       this.host.deliver(merged(key, base, waiting));
-    } else if (!this.tracker.has(key)) {
+    } else if (!this.tracker.hasCurrent(key)) {
       if (payload !== null) this.proofs.made(key, payload);
       this.host.deliver({ key, revision: 0n, hash: null, payload: base, material });
     }

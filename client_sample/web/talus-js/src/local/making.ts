@@ -99,6 +99,11 @@ export class Making implements Supplier {
     shape.forEachColumn((lod, x, z, rows) => this.asked.set(`${lod}/${x}/${z}`, rows));
   }
 
+  /** The next View makes this chunk's column again. */
+  forget({ lod, x, z }: ChunkKey): void {
+    this.asked.delete(`${lod}/${x}/${z}`);
+  }
+
   end(): void {
     this.supply.end();
     this.patches = [];
