@@ -5,12 +5,14 @@ import pathlib
 import tempfile
 import threading
 import unittest
+import unittest.mock
 
 import numpy as np
 
 import paths
 
 if os.environ.get("TALUS_LOCAL_LIBRARY"):
+    from talus import local
     from talus.local import Conflict, LocalError, World
 
 LAND = paths.ROOT / "core/worlds/classic.toml"
@@ -59,6 +61,16 @@ class LocalTest(unittest.TestCase):
         self.assertEqual((again.hash, again.revision), (edits, 2))
         self.assertEqual(int((voxels == 256).sum()), 1 + 3 * 5 * 3 - 3)
         self.assertFalse((again.generate(0, 6, 0, edits=False) == 256).any())
+
+    def test_materials_are_found_by_id(self):
+        world = self.open()
+        self.assertEqual(world.materials[0].name, "air")
+        self.assertEqual(world.materials[256], (256, "planks", 0x8A6B3D, "solid"))
+
+    def test_a_missing_library_names_its_package(self):
+        with unittest.mock.patch.dict(os.environ, TALUS_LOCAL_LIBRARY="/nowhere.so"):
+            with self.assertRaisesRegex(OSError, "/nowhere.so.*libtalus-local1.*TALUS_LOCAL_LIBRARY"):
+                local._load()
 
     def test_refusals_name_their_reason(self):
         world = self.open()

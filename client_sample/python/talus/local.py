@@ -89,8 +89,12 @@ class _EditResult(_Sized):
 
 def _load():
     beside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "libtalus-local.so")
-    library = ctypes.CDLL(os.environ.get("TALUS_LOCAL_LIBRARY") or
-                          (beside if os.path.exists(beside) else "libtalus-local.so.1"))
+    file = os.environ.get("TALUS_LOCAL_LIBRARY") or (beside if os.path.exists(beside) else "libtalus-local.so.1")
+    try:
+        library = ctypes.CDLL(file)
+    except OSError as error:
+        raise OSError(f"{error}; install the package libtalus-local1, or let TALUS_LOCAL_LIBRARY name "
+                      "libtalus-local.so.1") from None
     for name, *parameters in [
         ("talus_world_open", _pointer, _pointer),
         ("talus_save_open", _text, _u32, _pointer),
@@ -148,8 +152,9 @@ class World:
         self.fingerprint = f"{info.fingerprint_high:016x}{info.fingerprint_low:016x}"
         self.rows = (info.min_y, info.max_y)
         self.spawn = (info.spawn_x, info.spawn_y, info.spawn_z)
-        self.materials = [self._material(index) for index in range(info.material_count)]
-        self._ids = {material.name: material.id for material in self.materials}
+        materials = (self._material(index) for index in range(info.material_count))
+        self.materials = {material.id: material for material in materials}
+        self._ids = {material.name: material.id for material in self.materials.values()}
 
     @classmethod
     def open(cls, path=None, *, settles=False, read_only=False):
