@@ -118,6 +118,37 @@ TEST_CASE("A shown world has ore exactly where a face neighbour is air or water"
   CHECK(hidden > 1000);
 }
 
+TEST_CASE("Objects of a rock hide no ore") {
+  std::string text = std::regex_replace(test::small_caves_text(9) + test::underground_text(),
+                                        std::regex{"abundance = [0-9.]+"}, "abundance = 1");
+  const World plain = World::parse(text, "plain").value();
+  text +=
+      "[[object]]\nname = \"stone\"\nmodel = \"boulder\"\nspacing = 6\nchance = 1\n"
+      "stone = { name = \"basalt\" }\n";
+  const World shown = World::parse(text, "stones").value().with_secret_veins(key_of(9)).value();
+  Voxel ground{plain};
+  std::size_t stones = 0;
+  std::size_t hidden = 0;
+  for (std::int32_t x = 0; x < 4; ++x) {
+    for (std::int32_t y = 0; y < 3; ++y) {
+      const ChunkCoord chunk{x, y, 2};
+      const Chunk made = generate_chunk(shown, {chunk, Lod{}});
+      const auto stands = [&](LocalPos at) {
+        const VoxelPos origin = chunk_origin(chunk);
+        const MaterialId before = ground.at({origin.x + at.x, origin.y + at.y, origin.z + at.z});
+        return made.at(at) != kAir && before == kAir;
+      };
+      for (std::size_t i = 0; i < kChunkVolume; ++i) stones += stands(local_of(i)) ? 1 : 0;
+      for (const Override& ore : hidden_ore(shown, chunk, made)) {
+        CHECK_FALSE(stands(local_of(ore.index)));
+        ++hidden;
+      }
+    }
+  }
+  CHECK(stones > 100);
+  CHECK(hidden > 100);
+}
+
 TEST_CASE("Chunks of a shown world do not depend on their patch") {
   CHECK(rc::check([] {
     const World shown = veined(*rc::gen::arbitrary<std::uint64_t>())

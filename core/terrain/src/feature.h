@@ -212,6 +212,8 @@ class Feature {
                      std::vector<PlacedObject>& /*objects*/) const {
     return false;
   }
+  /// True if voxels of its objects have the material.
+  [[nodiscard]] virtual bool places(MaterialId /*material*/) const { return false; }
   /// Adds the voxels of Stacks::objects in a chunk, by ascending index, each once.
   virtual void add_overrides(const ChunkSite& /*site*/, std::vector<Override>& /*overrides*/) const {}
   /// Adds the objects as seen from above: in each column of the stacks' region that they cover, unless their

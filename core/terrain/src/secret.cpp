@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include <talus/terrain/boundary_row.h>
+#include <talus/terrain/heights.h>
 #include <talus/terrain/world.h>
 
 #include "feature.h"
@@ -23,6 +25,30 @@ std::vector<bool> rock_of(const World& world) {
     }
   }
   return rock;
+}
+
+// True if objects show rock, above the ground.
+bool any_stands(const World& world, const std::vector<bool>& rock) {
+  return std::any_of(world.features().begin(), world.features().end(), [&](const auto& feature) {
+    for (std::size_t id = 0; id < rock.size(); ++id) {
+      if (rock[id] && feature->places(MaterialId{static_cast<std::uint16_t>(id)})) return true;
+    }
+    return false;
+  });
+}
+
+// The row of the chunk at which the ground of each column ends (column_index).
+std::vector<std::int64_t> ground_rows(const World& world, ChunkCoord chunk) {
+  const VoxelPos origin = chunk_origin(chunk);
+  std::vector<BaseColumn> columns;
+  for (int z = 0; z < kChunkSize; ++z) {
+    for (int x = 0; x < kChunkSize; ++x) columns.push_back({origin.x + x, origin.z + z});
+  }
+  std::vector<std::int64_t> rows;
+  for (const std::int32_t height_fx : surface_heights(world, columns)) {
+    rows.push_back(boundary_row(height_fx) - origin.y);
+  }
+  return rows;
 }
 
 }  // namespace
@@ -56,6 +82,12 @@ std::vector<Override> hidden_ore(const World& world, ChunkCoord chunk, const Chu
     if ((*secret)[i] == kAir || !rock[to_integer((*voxels)[i])]) continue;
     hidden.push_back({static_cast<std::uint16_t>(i), (*secret)[i]});
   }
+  if (hidden.empty() || !any_stands(world, rock)) return hidden;
+  const std::vector<std::int64_t> rows = ground_rows(world, chunk);
+  std::erase_if(hidden, [&](const Override& ore) {
+    const LocalPos at = local_of(ore.index);
+    return at.y >= rows[column_index(at.x, at.z)];
+  });
   return hidden;
 }
 

@@ -343,6 +343,12 @@ ObjectFloors floors_of(const ChunkSite& site) {
 
 }  // namespace
 
+bool Objects::places(MaterialId material) const {
+  return std::any_of(kinds_.begin(), kinds_.end(), [&](const ObjectKind& kind) {
+    return std::find(kind.parts.begin(), kind.parts.end(), material) != kind.parts.end();
+  });
+}
+
 void Objects::add_overrides(const ChunkSite& site, std::vector<Override>& overrides) const {
   const Stacks& stacks = site.stacks();
   if (stacks.objects.empty()) return;

@@ -47,6 +47,7 @@ class Objects final : public Feature {
   [[nodiscard]] std::vector<ObjectKindName> object_kinds() const override;
   bool place(const StandingGround& ground, int columns, Placement& at,
              std::vector<PlacedObject>& objects) const override;
+  [[nodiscard]] bool places(MaterialId material) const override;
   void add_overrides(const ChunkSite& site, std::vector<Override>& overrides) const override;
   void add_tops(const Stacks& stacks, std::span<MaterialId> materials,
                 std::span<std::int32_t> rows) const override;
