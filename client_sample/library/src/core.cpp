@@ -193,8 +193,8 @@ Result<void> Core::accept_world(const WorldInfo& world) {
                                       {}}};
   }
   if (world.store_id != world_->store_id) {
-    if (local_ != nullptr) {
-      tracker_.outdate_edited();
+    if (options_.generate != Generate::never) {
+      tracker_.outdate_edited();  // this server may publish its world where the last one did not
     } else {
       tracker_.forget_revisions();
     }
@@ -220,6 +220,7 @@ void Core::keep_view(Generation mine) {
   tell_left(mine);
   if (mine != generation_) return;
   if (const auto kept = check_kept_view(); !kept) report(kept.error());
+  if (mine == generation_) require_maker();
 }
 
 void Core::start_session(const ConnectionPtr& connection) {

@@ -127,6 +127,8 @@ class Core : public std::enable_shared_from_this<Core>, public LocalChunks::Host
   /// Fails if Options::generate is `always` and chunks cannot be made in this world.
   [[nodiscard]] Result<void> check_generation(const WorldInfo& world) const;
   void begin_generation();
+  /// Reports once that chunks cannot be made for want of a maker.
+  void require_maker();
   void stop_generation();
   /// Returns true if the broadcast was taken for a chunk that is to be made.
   [[nodiscard]] Result<bool> add_to_made(const ChunkKey& key, const wire::EditBroadcast& edit);

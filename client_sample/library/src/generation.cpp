@@ -33,6 +33,14 @@ void Core::begin_generation() {
   local_->start();
 }
 
+void Core::require_maker() {
+  if (options_.generate != Generate::automatic || options_.maker != nullptr || no_generation_ ||
+      !world_->limits.view_base)
+    return;
+  no_generation_ = cannot("Options::maker is null");
+  report(*no_generation_);
+}
+
 void Core::stop_generation() {
   if (const auto local = std::exchange(local_, nullptr)) local->stop();
 }
