@@ -97,7 +97,9 @@ TEST_CASE("chunks come by array and by callback, each to its place") {
   CHECK(taken.count == 5);
 
   talus_cancel_generate(workspace.get());
-  CHECK(talus_generate(workspace.get(), keys, 5, 0, voxels.data(), nullptr) == TALUS_CANCELLED);
+  std::int32_t uniform[5]{};
+  CHECK(talus_generate(workspace.get(), keys, 5, 0, voxels.data(), uniform) == TALUS_CANCELLED);
+  CHECK(std::count(uniform, uniform + 5, -2) == 5);
   CHECK(talus_generate(workspace.get(), keys, 5, 0, voxels.data(), nullptr) == TALUS_OK);
 }
 
@@ -165,6 +167,29 @@ TEST_CASE("a save goes on where the game ended") {
   CHECK(after.revision == 2);
   CHECK(after.flags == (TALUS_SETTLES | TALUS_HAS_SAVE));
   CHECK(voxel_at(workspace_of(world), 0, 42, 0) == 256);
+}
+
+TEST_CASE("threads read a world while edits are saved") {
+  const ScratchDirectory directory;
+  const LocalWorld world = open_world(kFlat);
+  REQUIRE(talus_save_create(world.get(), (directory / "game.talus").string().c_str()) == TALUS_OK);
+  std::atomic<bool> ended = false;
+  std::thread reader{[&] {
+    talus_world_info info{};
+    info.size = sizeof info;
+    while (!ended) (void)talus_world_get_info(world.get(), &info);
+  }};
+  const Workspace workspace = workspace_of(world);
+  int failures = 0;
+  for (int i = 0; i < 10; ++i) {
+    if (write_voxel(workspace, i, 41, 0, 256) != TALUS_OK) ++failures;
+    if ((info_of(world).flags & TALUS_UNSAVED) == 0) ++failures;
+    if (talus_save_commit(world.get()) != TALUS_OK) ++failures;
+    if ((info_of(world).flags & TALUS_UNSAVED) != 0) ++failures;
+  }
+  ended = true;
+  reader.join();
+  CHECK(failures == 0);
 }
 
 TEST_CASE("wrong use is refused by a line that names the call") {

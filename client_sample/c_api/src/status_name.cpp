@@ -1,4 +1,4 @@
-#include <talus.h>
+#include <talus_local.h>
 
 const char* talus_status_name(talus_status status) {
   switch (status) {
@@ -52,6 +52,16 @@ const char* talus_status_name(talus_status status) {
       return "TALUS_OUTCOME_UNKNOWN";
     case TALUS_CANNOT_GENERATE:
       return "TALUS_CANNOT_GENERATE";
+    case TALUS_BAD_WORLD:
+      return "TALUS_BAD_WORLD";
+    case TALUS_FILE_FAILED:
+      return "TALUS_FILE_FAILED";
+    case TALUS_FILE_IN_USE:
+      return "TALUS_FILE_IN_USE";
+    case TALUS_BAD_SAVE:
+      return "TALUS_BAD_SAVE";
+    case TALUS_OTHER_SAVE:
+      return "TALUS_OTHER_SAVE";
     default:
       return "unknown status";
   }

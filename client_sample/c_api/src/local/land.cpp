@@ -58,11 +58,8 @@ VoxelPos Land::spawn() const {
 
 Land::State Land::state() const {
   const std::shared_lock lock{reading_};
-  State state{revision_, edits().hash(), edits().settings().settles, save_.has_value(), revision_ != 0};
-  if (save_) {
-    state.revision = save_->revision();
-    state.unsaved = save_->has_changes();
-  }
+  State state{revision_, edits().hash(), edits().settings().settles, save_.has_value(), unsaved_};
+  if (save_) state.revision = save_->revision();
   return state;
 }
 
@@ -80,7 +77,9 @@ tl::expected<Land::Applied, edits::EditError> Land::apply(local::Workspace& work
                                                           const edits::Edit& edit) {
   const std::lock_guard changes{changing_};
   const std::lock_guard lock{reading_};
+  const bool was_unsaved = std::exchange(unsaved_, true);  // stays so if memory runs out after the edit
   auto outcome = save_ ? save_->apply(workspace, edit) : edits_.apply(workspace, edit);
+  if (!outcome || outcome->changed == 0) unsaved_ = was_unsaved;
   if (!outcome) return tl::unexpected{std::move(outcome.error())};
   if (!save_ && outcome->changed > 0) ++revision_;
   return Applied{*std::move(outcome), save_ ? save_->revision() : revision_};
@@ -95,13 +94,19 @@ std::optional<saves::Result<void>> Land::create_save(const std::filesystem::path
   save_ = *std::move(save);
   edits_ = {};
   source_.reset();
+  unsaved_ = false;
   return saves::Result<void>{};
 }
 
 std::optional<saves::Result<void>> Land::commit() {
   const std::lock_guard changes{changing_};
   if (!save_) return std::nullopt;
-  return save_->commit();
+  auto done = save_->commit();
+  if (done) {
+    const std::lock_guard lock{reading_};
+    unsaved_ = false;
+  }
+  return done;
 }
 
 }  // namespace talus::c_api

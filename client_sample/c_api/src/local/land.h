@@ -71,6 +71,7 @@ class Land {
   local::Edits edits_;                        // while there is no save
   std::uint64_t revision_ = 0;
   std::optional<saves::Save> save_;
+  bool unsaved_ = false;  // commit() has not kept all edits
 };
 
 }  // namespace talus::c_api

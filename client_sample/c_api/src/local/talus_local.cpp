@@ -158,10 +158,10 @@ class Generation final : public local::ChunkSink {
   std::unordered_map<ChunkKey, std::deque<std::size_t>> places_;
 };
 
-// Both functions that generate, by what they do with a chunk.
-template <typename Take>
+// Both functions that generate, by what they do before the first chunk and with each.
+template <typename Prepare, typename Take>
 talus_status generate(const char* function, talus_workspace* workspace, const talus_chunk_key* keys,
-                      std::size_t count, std::uint32_t flags, Take take) noexcept {
+                      std::size_t count, std::uint32_t flags, Prepare prepare, Take take) noexcept {
   return guarded(function, [&](const auto& failed) {
     if (workspace == nullptr) return failed(TALUS_INVALID_ARGUMENT, "workspace is NULL");
     if ((flags & ~std::uint32_t{TALUS_WITHOUT_EDITS}) != 0) {
@@ -169,6 +169,7 @@ talus_status generate(const char* function, talus_workspace* workspace, const ta
     }
     const auto own = keys_of(keys, count);
     if (!own) return failed(TALUS_INVALID_ARGUMENT, own.error());
+    prepare();
     // Put back at the end, so that an exception leaves none.
     std::optional<local::Workspace> memory = std::exchange(workspace->workspace, std::nullopt);
     if (!memory) memory.emplace(workspace->land->world(), workspace->ground_bytes);
@@ -302,23 +303,28 @@ void talus_workspace_destroy(talus_workspace* workspace) {
 
 talus_status talus_generate(talus_workspace* workspace, const talus_chunk_key* keys, size_t count,
                             uint32_t flags, uint16_t* voxels, int32_t* uniform_materials) {
-  return generate("talus_generate", workspace, keys, count, flags,
-                  [voxels, uniform_materials](std::size_t index, std::int32_t uniform, const Chunk& chunk) {
-                    if (uniform_materials != nullptr) uniform_materials[index] = uniform;
-                    if (voxels != nullptr) copy_voxels(chunk, voxels + index * TALUS_CHUNK_VOLUME);
-                  });
+  constexpr std::int32_t kNotMade = -2;
+  return generate(
+      "talus_generate", workspace, keys, count, flags,
+      [=] {
+        if (uniform_materials != nullptr) std::fill_n(uniform_materials, count, kNotMade);
+      },
+      [voxels, uniform_materials](std::size_t index, std::int32_t uniform, const Chunk& chunk) {
+        if (uniform_materials != nullptr) uniform_materials[index] = uniform;
+        if (voxels != nullptr) copy_voxels(chunk, voxels + index * TALUS_CHUNK_VOLUME);
+      });
 }
 
 talus_status talus_generate_each(talus_workspace* workspace, const talus_chunk_key* keys, size_t count,
                                  uint32_t flags, talus_take_chunk take, void* user) {
   if (take == nullptr) return fail("talus_generate_each", TALUS_INVALID_ARGUMENT, "take is NULL");
   std::vector<std::uint16_t> voxels;
-  return generate("talus_generate_each", workspace, keys, count, flags,
-                  [&](std::size_t index, std::int32_t uniform, const Chunk& chunk) {
-                    voxels.resize(TALUS_CHUNK_VOLUME);
-                    copy_voxels(chunk, voxels.data());
-                    take(user, index, uniform, voxels.data());
-                  });
+  return generate(
+      "talus_generate_each", workspace, keys, count, flags, [&] { voxels.resize(TALUS_CHUNK_VOLUME); },
+      [&](std::size_t index, std::int32_t uniform, const Chunk& chunk) {
+        copy_voxels(chunk, voxels.data());
+        take(user, index, uniform, voxels.data());
+      });
 }
 
 void talus_cancel_generate(talus_workspace* workspace) {
