@@ -12,7 +12,8 @@ tl::expected<std::shared_ptr<Published>, std::string> Published::open(
   using World = tl::expected<std::shared_ptr<client::LocalWorld>, client::ChunkMaker::OpenFailure>;
   const auto opened = std::make_shared<std::promise<World>>();
   auto world = opened->get_future();
-  published->source_->open(std::move(files), [opened](World made) { opened->set_value(std::move(made)); });
+  published->source_->open(std::move(files), std::make_shared<const std::atomic<bool>>(false),
+                           [opened](World made) { opened->set_value(std::move(made)); });
   World made = world.get();
   if (!made) return tl::unexpected{made.error().message};
   published->world_ = *std::move(made);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include <asio/strand.hpp>
 #include <asio/use_awaitable.hpp>
 #include <catch2/catch.hpp>
 
@@ -141,15 +142,17 @@ TEST_CASE("a View that is being streamed when the world opens is sent again with
 
 TEST_CASE("files that the world names are fetched too, in parts") {
   Scene scene;
-  scene.maker->names = "heights.npy";
+  scene.maker->names = {"heights.npy", "tree.vox"};
   scene.published.part_bytes = 1000;
   std::vector<std::byte> file(2500);
   for (std::size_t i = 0; i < file.size(); ++i) file[i] = static_cast<std::byte>(i * 7);
   scene.published.files["heights.npy"] = file;
+  scene.published.files["tree.vox"] = {};
   scene.play([&]() -> asio::awaitable<void> { co_await scene.until_generates(); });
   CHECK(scene.published.asked_files ==
-        std::vector<std::string>{"", "heights.npy", "heights.npy", "heights.npy"});
-  CHECK(scene.maker->opened->at("heights.npy") == file);
+        std::vector<std::string>{"", "heights.npy", "heights.npy", "heights.npy", "tree.vox"});
+  CHECK(scene.maker->opens == 2);
+  CHECK(*scene.maker->opened->at("heights.npy") == file);
   CHECK(scene.client->stats().file_bytes == 2600);
 }
 
@@ -162,7 +165,7 @@ TEST_CASE("kept files are not fetched, unless they are another world's, or incom
     fetched = {""};
   }
   SECTION("incomplete") {
-    scene.maker->names = "added.vox";
+    scene.maker->names = {"added.vox"};
     fetched = {"added.vox"};
   }
   scene.published.files["added.vox"] = {};
@@ -170,7 +173,8 @@ TEST_CASE("kept files are not fetched, unless they are another world's, or incom
              [&](Options& options) {
                options.kept_files = [&](ContentHash fingerprint) {
                  CHECK(fingerprint == kPublished);
-                 return std::make_shared<const WorldFiles>(WorldFiles{{"", {}}});
+                 return std::make_shared<const WorldFiles>(
+                     WorldFiles{{"", std::make_shared<const std::vector<std::byte>>()}});
                };
              });
   CHECK(scene.published.asked_files == fetched);
@@ -211,7 +215,7 @@ TEST_CASE("a world that cannot be made is streamed, and the reason is told once"
     reason = "generator: this is version 3";
   }
   SECTION("a file that is not there") {
-    scene.maker->names = "gone.vox";
+    scene.maker->names = {"gone.vox"};
     reason = "'gone.vox' did not come: the server says: no such file";
   }
   SECTION("a file too large") {
@@ -231,6 +235,34 @@ TEST_CASE("a world that cannot be made is streamed, and the reason is told once"
   CHECK_THAT(scene.told.errors[0].message, Catch::Contains(reason));
   for (const auto& view : scene.published.views) CHECK_FALSE(view.has_base);
   CHECK(scene.client->stats().made_chunks == 0);
+}
+
+TEST_CASE("without a maker chunks are streamed, and the reason is told once") {
+  Scene scene;
+  scene.published.connections = 2;
+  scene.play(
+      [&]() -> asio::awaitable<void> {
+        CHECK(scene.client->set_view(small_view()).has_value());
+        co_await scene.until_complete();
+        scene.published.peer.hang_up();
+        co_await scene.until_complete(2);
+      },
+      Generate::automatic, [](Options& options) { options.maker = nullptr; });
+  CHECK(scene.all_are(some_chunk));
+  REQUIRE(scene.told.errors.size() == 1);
+  CHECK(scene.told.errors[0].kind == ErrorKind::cannot_generate);
+  CHECK_THAT(scene.told.errors[0].message, Catch::Contains("Options::maker is null"));
+}
+
+TEST_CASE("a client that closes cancels the opening of its world") {
+  Scene scene;
+  scene.maker->holds_open = true;
+  scene.play([&]() -> asio::awaitable<void> {
+    co_await until(*scene.client, [&] { return scene.maker->opens == 1; });
+    CHECK_FALSE(scene.maker->open_cancel->load());
+  });
+  CHECK(scene.maker->open_cancel->load());
+  scene.maker->release();
 }
 
 TEST_CASE("always: a world that cannot be made ends the connection") {
@@ -411,6 +443,34 @@ TEST_CASE("after a reconnect to another store edited chunks are made again") {
   CHECK(scene.told.chunks.at(kEdited).revision == 0);
 }
 
+TEST_CASE("a server with another store that publishes the world, after one that did not, is met as well") {
+  Scene scene;
+  scene.published.connections = 2;
+  scene.published.more.view_base = false;
+  scene.published.revision = 5;
+  scene.published.chunk = [](const ChunkKey& key) {
+    return key == kEdited ? edited({{1, MaterialId{1}}}) : some_chunk(key);
+  };
+  scene.play([&]() -> asio::awaitable<void> {
+    CHECK(scene.client->set_view(small_view()).has_value());
+    co_await scene.until_complete();
+    CHECK(*scene.told.chunks.at(kEdited).chunk != some_chunk(kEdited));
+    scene.published.chunk = some_chunk;
+    scene.published.answers_views = false;
+    scene.published.more.view_base = true;
+    scene.published.more.store_id = 8;
+    scene.published.peer.hang_up();
+    co_await scene.until_generates();
+    scene.published.answers_views = true;
+    View view = small_view();
+    view.direction = {1, 0, 0};
+    CHECK(scene.client->set_view(view).has_value());
+    co_await scene.until_complete(2);
+  });
+  CHECK(scene.all_are(some_chunk));
+  CHECK(scene.told.errors.empty());
+}
+
 TEST_CASE("a client may be closed or destroyed while chunks are made and when they come") {
   asio::io_context io;
   PublishedPeer published{io};
@@ -441,9 +501,12 @@ TEST_CASE("chunks may be made after the client and its io_context are gone") {
   std::optional<asio::io_context> io{std::in_place};
   const auto maker = std::make_shared<HandMaker>();
   maker->holds_chunks = true;
+  const bool strand = GENERATE(false, true);
   {
     PublishedPeer published{*io};
-    Client client{io->get_executor(), generating(maker)};
+    asio::any_io_executor executor = io->get_executor();
+    if (strand) executor = asio::make_strand(*io);
+    Client client{executor, generating(maker)};
     const auto visit = [&]() -> asio::awaitable<void> {
       co_await join(client, published.peer);
       co_await until(client, [&] { return client.generates(); });

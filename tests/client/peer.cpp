@@ -137,20 +137,21 @@ protocol::Frame welcome_frame(std::uint64_t fingerprint, std::uint64_t window_by
   });
 }
 
-protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk) {
+protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk,
+                            std::uint64_t revision) {
   std::vector<std::byte> payload;
   encode(chunk, payload);
-  return chunk_frame(id, key, content_hash(chunk), payload);
+  return chunk_frame(id, key, content_hash(chunk), payload, revision);
 }
 
 protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,
-                            const std::vector<std::byte>& payload) {
+                            const std::vector<std::byte>& payload, std::uint64_t revision) {
   return protocol::make_frame([&](auto& b) {
     const wire::ChunkKey wire_key{key.coord.x, key.coord.y, key.coord.z,
                                   static_cast<std::uint8_t>(key.lod.value())};
     const wire::Hash128 wire_hash{hash.low, hash.high};
     const auto bytes = b.CreateVector(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size());
-    return wire::CreateChunk(b, id, &wire_key, 0, &wire_hash, kCodecVersion, bytes);
+    return wire::CreateChunk(b, id, &wire_key, revision, &wire_hash, kCodecVersion, bytes);
   });
 }
 

@@ -81,10 +81,11 @@ void run(asio::io_context& io, const std::vector<Script>& scripts);
                                             std::uint32_t requests_in_flight, std::uint32_t idle_timeout_ms,
                                             std::optional<Rates> session_rates = std::nullopt,
                                             WelcomeMore more = {});
-[[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk);
+[[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, const Chunk& chunk,
+                                          std::uint64_t revision = 0);
 /// With any hash and payload.
 [[nodiscard]] protocol::Frame chunk_frame(std::uint32_t id, const ChunkKey& key, ContentHash hash,
-                                          const std::vector<std::byte>& payload);
+                                          const std::vector<std::byte>& payload, std::uint64_t revision = 0);
 /// About the request `id`, or about the connection if `id` is 0.
 [[nodiscard]] protocol::Frame error_frame(wire::ErrorCode code, const std::string& text,
                                           std::uint32_t id = 0);

@@ -53,14 +53,19 @@ std::size_t HandMaker::asked() const {
   return count;
 }
 
-void HandMaker::open(std::shared_ptr<const WorldFiles> files, Opened done) {
+void HandMaker::open(std::shared_ptr<const WorldFiles> files, std::shared_ptr<const std::atomic<bool>> cancel,
+                     Opened done) {
+  ++opens;
+  open_cancel = std::move(cancel);
   run(holds_open, [self = shared_from_this(), files = std::move(files), done = std::move(done)] {
     if (!self->failure.empty()) return done(tl::unexpected{OpenFailure{{}, self->failure}});
-    if (!self->names.empty() && !files->contains(self->names)) {
-      return done(tl::unexpected{OpenFailure{self->names, "a file is missing"}});
+    OpenFailure lacking{{}, "a file is missing"};
+    for (const std::string& name : self->names) {
+      if (!files->contains(name)) lacking.missing_files.insert(name);
     }
+    if (!lacking.missing_files.empty()) return done(tl::unexpected{lacking});
     self->opened = files;
-    const bool another = self->empty_is_another && files->at("").empty();
+    const bool another = self->empty_is_another && files->at("")->empty();
     done(std::make_shared<World>(self, another ? ContentHash{9, 9} : self->fingerprint));
   });
 }
@@ -143,7 +148,7 @@ asio::awaitable<void> PublishedPeer::serve_one() {
       if (answered_view) {
         if (!view->has_base()) {
           ViewShape{small_view(view->centre()->x())}.for_each(
-              [&](const ChunkKey& key) { answers.push_back(chunk_frame(0, key, chunk(key))); });
+              [&](const ChunkKey& key) { answers.push_back(chunk_frame(0, key, chunk(key), revision)); });
         } else if (edits) {
           answers = edits();
         }

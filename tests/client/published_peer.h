@@ -23,9 +23,9 @@ inline constexpr ContentHash kPublished{1, 0};  // fingerprint
 class HandMaker final : public ChunkMaker, public std::enable_shared_from_this<HandMaker> {
  public:
   ContentHash fingerprint = kPublished;
-  std::string names;              // a file that the world names; empty: none
-  std::string failure;            // of every open(); empty: none
-  bool empty_is_another = false;  // a world's file without bytes is another world
+  std::vector<std::string> names;  // of files that the world names
+  std::string failure;             // of every open(); empty: none
+  bool empty_is_another = false;   // a world's file without bytes is another world
   std::function<Chunk(const ChunkKey&)> chunk = some_chunk;
   bool holds_open = false, holds_chunks = false;  // until release()
 
@@ -33,8 +33,11 @@ class HandMaker final : public ChunkMaker, public std::enable_shared_from_this<H
   std::vector<std::vector<ChunkKey>> batches;
   std::vector<std::shared_ptr<const std::atomic<bool>>> cancels;
   std::shared_ptr<const WorldFiles> opened;
+  int opens = 0;
+  std::shared_ptr<const std::atomic<bool>> open_cancel;
 
-  void open(std::shared_ptr<const WorldFiles> files, Opened done) override;
+  void open(std::shared_ptr<const WorldFiles> files, std::shared_ptr<const std::atomic<bool>> cancel,
+            Opened done) override;
   /// What was held is done.
   void release();
   [[nodiscard]] std::size_t asked() const;
@@ -63,11 +66,12 @@ class PublishedPeer {
 
   Peer peer;
   WelcomeMore more{.view_base = true};
-  WorldFiles files{{"", std::vector<std::byte>(100)}};
+  std::map<std::string, std::vector<std::byte>> files{{"", std::vector<std::byte>(100)}};
   std::uint32_t part_bytes = 65'536;
   std::function<Chunk(const ChunkKey&)> chunk = some_chunk;
   std::function<std::vector<protocol::Frame>()> edits;  // of a View with has_base; null: none
   bool answers_views = true;
+  std::uint64_t revision = 0;  // of what is streamed
   int connections = 1;
 
   struct SeenView {

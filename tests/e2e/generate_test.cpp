@@ -58,8 +58,9 @@ void build(Player& player, VoxelPos at, MaterialId material) {
 /// Another world than the server's, with its fingerprint: the same, one chunk farther east.
 class Shifted final : public client::ChunkMaker {
  public:
-  void open(std::shared_ptr<const client::WorldFiles> files, Opened done) override {
-    source_.open(std::move(files), [done = std::move(done)](auto world) {
+  void open(std::shared_ptr<const client::WorldFiles> files, std::shared_ptr<const std::atomic<bool>> cancel,
+            Opened done) override {
+    source_.open(std::move(files), std::move(cancel), [done = std::move(done)](auto world) {
       done(std::move(world).map([](std::shared_ptr<client::LocalWorld> right) {
         return std::static_pointer_cast<client::LocalWorld>(std::make_shared<World>(std::move(right)));
       }));

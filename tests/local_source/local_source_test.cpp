@@ -3,6 +3,8 @@
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,9 +28,13 @@ std::vector<std::byte> bytes_of(std::string_view text) {
   return {bytes.begin(), bytes.end()};
 }
 
-Opened open(LocalSource& source, WorldFiles files) {
+Opened open(LocalSource& source, const std::map<std::string, std::vector<std::byte>>& given,
+            bool cancelled = false) {
+  WorldFiles files;
+  for (const auto& [name, bytes] : given) files[name] = std::make_shared<const std::vector<std::byte>>(bytes);
   const auto opened = std::make_shared<std::promise<Opened>>();  // the thread may still use it
   source.open(std::make_shared<const WorldFiles>(std::move(files)),
+              std::make_shared<const std::atomic<bool>>(cancelled),
               [opened](Opened world) { opened->set_value(std::move(world)); });
   return opened->get_future().get();
 }
@@ -68,12 +74,27 @@ TEST_CASE("a LocalSource says which file it lacks, or what is wrong with a world
   const auto lacking = open(source, {{"", bytes_of(toml)}});
   REQUIRE_FALSE(lacking.has_value());
   INFO(lacking.error().message);
-  CHECK(lacking.error().missing_file == "made by the test");
+  CHECK(lacking.error().missing_files == std::set<std::string>{"made by the test"});
   const auto wrong = open(source, {{"", bytes_of("colour_of_the_sky = 7\n")}});
   REQUIRE_FALSE(wrong.has_value());
-  CHECK(wrong.error().missing_file.empty());
+  CHECK(wrong.error().missing_files.empty());
   CHECK_THAT(wrong.error().message, Catch::Contains("colour_of_the_sky"));
   CHECK_FALSE(open(source, {}).has_value());
+}
+
+TEST_CASE("a LocalSource names all files that it lacks at once") {
+  LocalSource source{{1}};
+  std::string toml{terrain::classic_world_toml()};
+  for (int i = 0; i < 3; ++i) {
+    const std::string number = std::to_string(i);
+    toml += "\n[[object]]\nname = \"object " + number + "\"\nmodel = \"" + number +
+            ".vox\"\nspacing = 40\nchance = 0.5\nlooks = [\"grass\"]\n[object.palette]\n1 = { name = "
+            "\"stone\" }\n";
+  }
+  const auto lacking = open(source, {{"", bytes_of(toml)}});
+  REQUIRE_FALSE(lacking.has_value());
+  INFO(lacking.error().message);
+  CHECK(lacking.error().missing_files == std::set<std::string>{"0.vox", "1.vox", "2.vox"});
 }
 
 TEST_CASE("what is cancelled is not made, and a source may end with work waiting") {
@@ -81,6 +102,7 @@ TEST_CASE("what is cancelled is not made, and a source may end with work waiting
   const auto world = open(*source, {{"", bytes_of(terrain::classic_world_toml())}});
   REQUIRE(world.has_value());
   CHECK(make(**world, kKeys, true)->empty());
+  CHECK(open(*source, {}, true).error().message == "cancelled");
   std::atomic<int> done = 0;
   const auto keep = std::make_shared<const std::atomic<bool>>(false);
   for (int i = 0; i < 100; ++i) {

@@ -30,6 +30,7 @@ void LocalChunks::stop() {
   stopped_ = true;
   active_ = false;
   gate_->close();
+  cancel_open_->store(true);
   for (const auto& [id, batch] : batches_) batch.cancel->store(true);
 }
 
@@ -39,13 +40,20 @@ void LocalChunks::start() {
   gate_->post(later([](LocalChunks& self) {
     auto kept = self.kept_files_ ? self.kept_files_(self.fingerprint_) : nullptr;
     if (self.stopped_) return;
-    if (kept == nullptr) return self.fetch({});
+    if (kept == nullptr) return self.fetch({""});
     self.files_.keep(std::move(kept));
     self.open(false);
   }));
 }
 
-void LocalChunks::fetch(const std::string& name) {
+void LocalChunks::fetch(std::set<std::string> names) {
+  to_fetch_ = std::move(names);
+  fetch_next();
+}
+
+void LocalChunks::fetch_next() {
+  if (to_fetch_.empty()) return open(true);
+  const std::string name = std::move(to_fetch_.extract(to_fetch_.begin()).value());
   if (const std::string why = files_.begin(name); !why.empty()) return fail(why);
   ask_part();
 }
@@ -65,7 +73,7 @@ void LocalChunks::take_part(const Result<FileRequest::Part>& part) {
   const auto complete = files_.take(*part);
   if (!complete) return fail(complete.error());
   if (*complete) {
-    open(true);
+    fetch_next();
   } else {
     ask_part();
   }
@@ -73,9 +81,8 @@ void LocalChunks::take_part(const Result<FileRequest::Part>& part) {
 
 void LocalChunks::open(bool fetched) {
   using World = tl::expected<std::shared_ptr<LocalWorld>, ChunkMaker::OpenFailure>;
-  maker_->open(files_.files(), [gate = gate_, take = later([fetched](LocalChunks& self, World world) {
-                                                self.opened(fetched, std::move(world));
-                                              })](World world) mutable {
+  auto take = later([fetched](LocalChunks& self, World world) { self.opened(fetched, std::move(world)); });
+  maker_->open(files_.files(), cancel_open_, [gate = gate_, take = std::move(take)](World world) mutable {
     gate->post([take = std::move(take), world = std::move(world)]() mutable { take(std::move(world)); });
   });
 }
@@ -83,11 +90,11 @@ void LocalChunks::open(bool fetched) {
 void LocalChunks::opened(bool fetched,
                          tl::expected<std::shared_ptr<LocalWorld>, ChunkMaker::OpenFailure> world) {
   const bool is_other = world && (*world)->fingerprint() != fingerprint_;
-  if (!fetched && (is_other || (!world && world.error().missing_file.empty()))) {
+  if (!fetched && (is_other || (!world && world.error().missing_files.empty()))) {
     files_.keep(std::make_shared<const WorldFiles>());  // the caller kept other files
-    return fetch({});
+    return fetch({""});
   }
-  if (!world && !world.error().missing_file.empty()) return fetch(world.error().missing_file);
+  if (!world && !world.error().missing_files.empty()) return fetch(std::move(world.error().missing_files));
   if (!world) return fail("the world cannot be opened: " + world.error().message);
   if (is_other) {
     return fail("the published world is " + to_string((*world)->fingerprint()) +

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -82,7 +83,7 @@ class LocalChunks : public std::enable_shared_from_this<LocalChunks> {
   [[nodiscard]] bool done() const { return host_.tracker().complete() && edits_.empty(); }
 
  private:
-  /// Chunks being made. At most so many and a batch, so that results that wait for the executor are few.
+  /// Chunks being made. At most this many, plus one batch: so few results wait for the executor.
   static constexpr std::size_t kMaxInFlight = 1024;
   struct Batch {
     std::vector<ChunkKey> keys;
@@ -92,7 +93,9 @@ class LocalChunks : public std::enable_shared_from_this<LocalChunks> {
   /// Runs `call(*this)` on the executor unless stopped.
   template <typename Call>
   [[nodiscard]] auto later(Call call);
-  void fetch(const std::string& name);
+  /// Fetches these files, then opens the world.
+  void fetch(std::set<std::string> names);
+  void fetch_next();
   void ask_part();
   void take_part(const Result<FileRequest::Part>& part);
   void open(bool fetched);
@@ -119,6 +122,8 @@ class LocalChunks : public std::enable_shared_from_this<LocalChunks> {
   bool active_ = false;
 
   PublishedFiles files_;
+  std::set<std::string> to_fetch_;
+  std::shared_ptr<std::atomic<bool>> cancel_open_ = std::make_shared<std::atomic<bool>>(false);
   std::shared_ptr<LocalWorld> world_;
 
   MakeQueue queue_;

@@ -30,7 +30,7 @@ tl::expected<bool, std::string> PublishedFiles::take(const FileRequest::Part& pa
   if (bytes_.size() < size_) return false;
   total_ += bytes_.size();
   auto files = std::make_shared<WorldFiles>(*files_);
-  files->emplace(name_, std::move(bytes_));
+  files->emplace(name_, std::make_shared<const std::vector<std::byte>>(std::move(bytes_)));
   bytes_ = {};
   files_ = std::move(files);
   return true;

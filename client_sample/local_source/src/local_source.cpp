@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <new>
 #include <optional>
+#include <set>
+#include <span>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -35,7 +39,7 @@ class Thread {
     return std::move(taker.made);
   }
 
-  // Memory ran out.
+  // Generating failed, as when memory ran out.
   void forget() {
     workspace_.reset();
     world_.reset();
@@ -70,6 +74,11 @@ class Thread {
 };
 
 using Job = std::function<void(Thread&)>;
+
+std::string why(const std::exception& thrown) {
+  const bool memory = dynamic_cast<const std::bad_alloc*>(&thrown) != nullptr;
+  return memory ? "memory ran out" : thrown.what();
+}
 
 }  // namespace
 
@@ -109,6 +118,11 @@ class LocalSource::Jobs {
     changed_.notify_all();
   }
 
+  [[nodiscard]] bool is_stopped() const {
+    const std::lock_guard lock{mutex_};
+    return stopped_;
+  }
+
   // A world, and where its chunks are made.
   class World final : public client::LocalWorld {
    public:
@@ -124,9 +138,9 @@ class LocalSource::Jobs {
         tl::expected<std::vector<MadeChunk>, std::string> made;
         try {
           if (!*cancel) made = thread.make(world, keys, *cancel);
-        } catch (const std::bad_alloc&) {
+        } catch (const std::exception& thrown) {
           thread.forget();
-          made = tl::unexpected<std::string>{"memory ran out"};
+          made = tl::unexpected{why(thrown)};
         }
         done(std::move(made));
       });
@@ -138,7 +152,7 @@ class LocalSource::Jobs {
   };
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Job> waiting_;
   bool stopped_ = false;
@@ -148,10 +162,15 @@ LocalSource::LocalSource(const LocalSourceOptions& options) : jobs_{std::make_sh
   const std::size_t processors = std::thread::hardware_concurrency();
   const std::size_t count = options.threads != 0 ? options.threads : std::max<std::size_t>(2, processors) - 1;
   for (std::size_t i = 0; i < count; ++i) {
-    threads_.emplace_back([jobs = jobs_, ground_bytes = options.ground_bytes / count] {
-      Thread thread{ground_bytes};
-      jobs->run(thread);
-    });
+    try {
+      threads_.emplace_back([jobs = jobs_, ground_bytes = options.ground_bytes / count] {
+        Thread thread{ground_bytes};
+        jobs->run(thread);
+      });
+    } catch (...) {
+      if (threads_.empty()) throw;
+      break;
+    }
   }
 }
 
@@ -159,25 +178,37 @@ LocalSource::~LocalSource() {
   jobs_->stop();
 }
 
-void LocalSource::open(std::shared_ptr<const client::WorldFiles> files, Opened done) {
-  jobs_->add([files = std::move(files), jobs = jobs_, done = std::move(done)](Thread&) {
-    OpenFailure failure;
+void LocalSource::open(std::shared_ptr<const client::WorldFiles> files,
+                       std::shared_ptr<const std::atomic<bool>> cancel, Opened done) {
+  jobs_->add([files = std::move(files), cancel = std::move(cancel), jobs = jobs_,
+              done = std::move(done)](Thread&) {
+    std::set<std::string> missing;
+    const auto cancelled = [&] { return *cancel || jobs->is_stopped(); };
     const auto reader = [&](const std::string& name) -> tl::expected<std::vector<std::byte>, std::string> {
+      if (cancelled()) return tl::unexpected<std::string>{"cancelled"};
       const auto file = files->find(name);
-      if (file != files->end()) return file->second;
-      failure.missing_file = name;
+      if (file != files->end() && file->second != nullptr) return *file->second;
+      missing.insert(name);
       return tl::unexpected<std::string>{"it is not here"};
     };
+    tl::expected<std::shared_ptr<client::LocalWorld>, OpenFailure> opened =
+        tl::unexpected{OpenFailure{{}, "cancelled"}};
     try {
       const auto toml = files->find("");
-      const auto world =
-          local::open_world(toml == files->end() ? std::span<const std::byte>{} : toml->second, reader);
-      if (world) return done(std::make_shared<Jobs::World>(*world, jobs));
-      failure.message = world.error().message;
-    } catch (const std::bad_alloc&) {
-      failure = {{}, "memory ran out"};
+      if (!cancelled()) {
+        const bool is_here = toml != files->end() && toml->second != nullptr;
+        const auto bytes = is_here ? std::span{*toml->second} : std::span<const std::byte>{};
+        const auto world = local::open_world(bytes, reader);
+        if (world) {
+          opened = std::make_shared<Jobs::World>(*world, jobs);
+        } else if (!cancelled()) {
+          opened = tl::unexpected{OpenFailure{std::move(missing), world.error().message}};
+        }
+      }
+    } catch (const std::exception& thrown) {
+      opened = tl::unexpected{OpenFailure{{}, why(thrown)}};
     }
-    done(tl::unexpected{std::move(failure)});
+    done(std::move(opened));
   });
 }
 

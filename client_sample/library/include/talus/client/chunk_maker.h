@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@
 
 namespace talus::client {
 
-/// The files of a world: its world file by the name "", and the files that this names.
-using WorldFiles = std::map<std::string, std::vector<std::byte>>;
+/// The files of a world: its world file by the name "", and the files that this names. None is null.
+using WorldFiles = std::map<std::string, std::shared_ptr<const std::vector<std::byte>>>;
 
 /// A chunk as generated.
 struct MadeChunk {
@@ -49,13 +50,15 @@ class ChunkMaker {
   virtual ~ChunkMaker() = default;
 
   struct OpenFailure {
-    std::string missing_file;  // the world names it, and it is not among the files; empty: another failure
-    std::string message;       // one line
+    std::set<std::string>
+        missing_files;    // the world names them, and they are not here; empty: another failure
+    std::string message;  // one line
   };
   using Opened = std::function<void(tl::expected<std::shared_ptr<LocalWorld>, OpenFailure>)>;
-  /// Reads a world. Returns at once. `done` is called once, on any thread; or never if the maker is destroyed
-  /// before.
-  virtual void open(std::shared_ptr<const WorldFiles> files, Opened done) = 0;
+  /// Reads a world. Returns at once. `done` is called once, on any thread, soon with any failure if `cancel`
+  /// was set; or never if the maker is destroyed before.
+  virtual void open(std::shared_ptr<const WorldFiles> files, std::shared_ptr<const std::atomic<bool>> cancel,
+                    Opened done) = 0;
 };
 
 }  // namespace talus::client

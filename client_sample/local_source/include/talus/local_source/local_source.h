@@ -9,6 +9,7 @@
 // A program links talus::local_source for it, besides talus::client.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <thread>
@@ -29,12 +30,15 @@ struct LocalSourceOptions {
 /// as there are threads. Thread-safe. The destructor waits for the chunks being made.
 class LocalSource final : public client::ChunkMaker {
  public:
+  /// Goes on with fewer threads if the system starts no more. Throws std::system_error if it starts none.
   explicit LocalSource(const LocalSourceOptions& options = {});
   ~LocalSource() override;
   LocalSource(const LocalSource&) = delete;
   LocalSource& operator=(const LocalSource&) = delete;
 
-  void open(std::shared_ptr<const client::WorldFiles> files, Opened done) override;
+  /// `cancel` is looked at before the world's file is read and before each file that it names.
+  void open(std::shared_ptr<const client::WorldFiles> files, std::shared_ptr<const std::atomic<bool>> cancel,
+            Opened done) override;
 
  private:
   class Jobs;
