@@ -240,6 +240,11 @@ std::string report(const Plan& plan, const RunResult& result) {
                   plan.world.server, plan.options.seed, seconds, result.interrupted ? " (interrupted)" : "",
                   std::thread::hardware_concurrency());
   text += waits_of(result);
+  if (plan.published != nullptr) {
+    text += "  chunks: made by the players, who receive edits alone\n";
+  } else if (!plan.not_published.empty()) {
+    text += fmt::format("  chunks: all sent by the server: {}\n", plan.not_published);
+  }
   text += fmt::format("  rate: {:.0f} chunks/s ({:.0f} Chunk messages/s), {:.2f} MB/s\n",
                       figures.at("chunks_per_s"), figures.at("chunk_messages_per_s"),
                       figures.at("bytes_per_s") / 1e6);

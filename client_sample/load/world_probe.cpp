@@ -135,9 +135,10 @@ asio::awaitable<void> open_published(client::Client& client, const Opening& open
     auto published = Published::open(opening.files);
     if (!published) throw ProbeError{published.error()};
     plan.published = *std::move(published);
-  } else if (plan.options.generate == client::Generate::always) {
-    throw ProbeError{opening.failure};
+    co_return;
   }
+  plan.not_published = opening.failure.empty() ? "the server ended the connection" : opening.failure;
+  if (plan.options.generate == client::Generate::always) throw ProbeError{plan.not_published};
 }
 
 asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
@@ -190,6 +191,7 @@ asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
   // Bounds the wait for a server that never answers.
   asio::steady_timer deadline{io, kProbeTimeout};
   bool late = false;
+  std::string too_slow = "the server did not send the ground's heights at the players' places within 30 s";
   deadline.async_wait([&](std::error_code cancelled) {
     if (cancelled) return;
     late = true;
@@ -197,14 +199,17 @@ asio::awaitable<void> probe(asio::io_context& io, Plan& plan) {
   });
   try {
     co_await explore(client, plan);
-    if (options.generate != client::Generate::never && plan.world.limits.view_base) {
+    if (options.generate != client::Generate::never && !plan.world.limits.view_base) {
+      plan.not_published = "the server does not publish its world";
+    } else if (options.generate != client::Generate::never) {
+      too_slow = "the published world was not fetched and opened within 30 s";
       co_await open_published(client, opening, plan);
     }
   } catch (const ProbeError&) {
-    if (late)
-      throw ProbeError{"the server did not send the ground's heights at the players' places within 30 s"};
+    if (late) throw ProbeError{too_slow};
     throw;
   }
+  if (late && plan.published == nullptr) plan.not_published = too_slow;
 }
 
 }  // namespace
