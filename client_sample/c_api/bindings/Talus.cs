@@ -167,8 +167,8 @@ public static class Talus
         /// <summary>"HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
         /// or disconnects, the next is tried, then around again.</summary>
         public IntPtr more_servers;
-        /// <summary>TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
-        /// are the same. Chunks of talus_get_chunk() still come from the server.</summary>
+        /// <summary>TALUS_GENERATE_AUTO makes a published world's chunks here and receives only edits. Events are the same.
+        /// Chunks of talus_get_chunk() still come from the server.</summary>
         public uint generate;
         /// <summary>default: one less than the machine's processors</summary>
         public uint generate_threads;

@@ -157,8 +157,8 @@ class talus_connect_options(Sized):
         # "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
         # or disconnects, the next is tried, then around again.
         ("more_servers", ctypes.c_char_p),
-        # TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
-        # are the same. Chunks of talus_get_chunk() still come from the server.
+        # TALUS_GENERATE_AUTO makes a published world's chunks here and receives only edits. Events are the same.
+        # Chunks of talus_get_chunk() still come from the server.
         ("generate", ctypes.c_uint32),
         # default: one less than the machine's processors
         ("generate_threads", ctypes.c_uint32),

@@ -41,7 +41,10 @@ static talus_local_world* open_game(const char* save, const char* world_file) {
   if (opened != TALUS_FILE_FAILED) return NULL; /* there is one that cannot be used */
   if (world_file != NULL) {
     FILE* file = fopen(world_file, "rb");
-    if (file == NULL) return NULL;
+    if (file == NULL) {
+      perror(world_file);
+      exit(1);
+    }
     toml = malloc(1 << 20);
     options.toml = toml;
     options.toml_bytes = toml == NULL ? 0 : fread(toml, 1, 1 << 20, file);

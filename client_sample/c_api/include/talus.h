@@ -124,8 +124,8 @@ typedef struct talus_connect_options {
   /* "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
    * or disconnects, the next is tried, then around again. */
   const char* more_servers;
-  /* TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
-   * are the same. Chunks of talus_get_chunk() still come from the server. */
+  /* TALUS_GENERATE_AUTO makes a published world's chunks here and receives only edits. Events are the same.
+   * Chunks of talus_get_chunk() still come from the server. */
   uint32_t generate;
   uint32_t generate_threads; /* default: one less than the machine's processors */
 } talus_connect_options;

@@ -1,13 +1,14 @@
 /* libtalus-local: Talus worlds in this process, without a server: chunks, edits, and saves of one player.
  *
  *   talus_local_world* world;
- *   talus_world_options options = {.size = sizeof options};         the built-in world
+ *   talus_world_options options = {.size = sizeof options};
  *   talus_world_open(&options, &world);
  *   talus_workspace* workspace;
  *   talus_workspace_create(world, 0, &workspace);
  *   talus_chunk_key key = {0, 4, 0, 0};
- *   talus_generate(workspace, &key, 1, 0, voxels, NULL);            (examples/single_player.c is a whole
- * program)
+ *   talus_generate(workspace, &key, 1, 0, voxels, NULL);
+ *
+ * These options are the built-in world's. examples/single_player.c is a whole program.
  *
  * Space, structs with `size`, statuses and strings are as talus.h says, which declares the types used here;
  * none of its functions is in this library, nor needed. A program may link both.
@@ -134,18 +135,18 @@ enum { TALUS_WITHOUT_EDITS = 1 };
 
 /* Makes chunks with their edits. `voxels`: TALUS_CHUNK_VOLUME ids for each, in the order of the keys, or
  * NULL. `uniform_materials`: for each the id of all its voxels, or -1 if they differ; or NULL. Chunks near
- * each other share work if they are asked for together. TALUS_CANCELLED: some are not made. */
+ * each other share work if they are asked for together. TALUS_CANCELLED: some are not made, those whose
+ * uniform material is -2. */
 TALUS_API talus_status talus_generate(talus_workspace* workspace, const talus_chunk_key* keys, size_t count,
                                       uint32_t flags, uint16_t* voxels, int32_t* uniform_materials);
 
-/* Takes chunk `index` of the keys. `voxels` are valid until it returns. It may edit, by another workspace. */
+/* Takes chunk `index` of the keys. `voxels` are valid until it returns. The callback may call
+ * talus_apply_edit() with another workspace. */
 typedef void (*talus_take_chunk)(void* user, size_t index, int32_t uniform_material, const uint16_t* voxels);
-/* Gives each chunk to `take` when it is made, neighbours together, in no order that the caller may rely on.
- */
+/* Gives each chunk to `take` when it is made, neighbours together, in no order to rely on. */
 TALUS_API talus_status talus_generate_each(talus_workspace* workspace, const talus_chunk_key* keys,
                                            size_t count, uint32_t flags, talus_take_chunk take, void* user);
-/* Any thread: the workspace's running call to generate, or else its next one, returns TALUS_CANCELLED soon.
- */
+/* From any thread: the running call to generate, or else the next one, returns TALUS_CANCELLED soon. */
 TALUS_API void talus_cancel_generate(talus_workspace* workspace);
 
 /* Ground as generated of width * depth columns from x, z on, in voxels of `level`, x fastest: the top of the

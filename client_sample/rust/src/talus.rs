@@ -159,8 +159,8 @@ pub struct talus_connect_options {
     /// "HOST:PORT,HOST:PORT": other servers of the same world, may be empty. If one cannot be reached, goes away
     /// or disconnects, the next is tried, then around again.
     pub more_servers: *const c_char,
-    /// TALUS_GENERATE_NEVER, ...: if a published world's chunks are made here, and edits alone received. Events
-    /// are the same. Chunks of talus_get_chunk() still come from the server.
+    /// TALUS_GENERATE_AUTO makes a published world's chunks here and receives only edits. Events are the same.
+    /// Chunks of talus_get_chunk() still come from the server.
     pub generate: u32,
     /// default: one less than the machine's processors
     pub generate_threads: u32,

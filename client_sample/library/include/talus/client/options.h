@@ -51,8 +51,8 @@ struct ServerAddress {
   std::string port;
 };
 
-/// If the client makes the chunks of Views itself, where the server publishes its world
-/// (ServerLimits::view_base), so that edits alone are sent.
+/// Whether the client makes a published world's chunks itself and receives only edits
+/// (ServerLimits::view_base).
 enum class Generate : std::uint8_t {
   never,
   automatic,  // until the world is open, or if it cannot be made here, chunks are streamed
@@ -80,7 +80,7 @@ struct Options {
   /// with several addresses, covers all servers.
   std::vector<ServerAddress> more_servers;
   Generate generate = Generate::never;
-  std::shared_ptr<ChunkMaker> maker;  // for `generate`; clients may share one
+  std::shared_ptr<ChunkMaker> maker;  // needed unless `generate` is `never`; clients may share one
   /// Returns the files of the world with this fingerprint if the caller kept them (Events::on_world_files),
   /// or null: they are fetched from the server. They may be any files: another world is not used.
   std::function<std::shared_ptr<const WorldFiles>(ContentHash fingerprint)> kept_files;
