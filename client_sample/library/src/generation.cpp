@@ -38,7 +38,7 @@ void Core::require_maker() {
       !world_->limits.view_base)
     return;
   no_generation_ = cannot("Options::maker is null");
-  report(*no_generation_);
+  report(ClientError{*no_generation_});  // the callback may connect again
 }
 
 void Core::stop_generation() {
@@ -75,7 +75,7 @@ void Core::cannot_generate(const std::string& why) {
     says_delivered_ = true;
     wake();
   }
-  report(*no_generation_);
+  report(ClientError{*no_generation_});  // the callback may connect again
 }
 
 void Core::deliver_local(const ReceivedChunk& chunk, bool made) {
