@@ -31,7 +31,7 @@ struct Plan {
   std::vector<ChunkKey> fixed_set;         // requests mode: chunks that contain a surface
   std::shared_ptr<EditJournal> journal{};  // null: not recorded
   std::shared_ptr<Published> published{};  // null: the server sends all chunks
-  std::string not_published;               // why, if --generate was given
+  std::string not_published{};             // why, if --generate was given
 
   /// The View of a player at this position.
   [[nodiscard]] client::View view_at(VoxelPos centre, const glm::dvec3& direction) const {
