@@ -1,8 +1,10 @@
 #include <talus/saves/save.h>
 
+#include <new>
 #include <span>
 #include <string>
 
+#include <sqlite3.h>
 #include <catch2/catch.hpp>
 
 #include <talus/terrain/extraction.h>
@@ -119,6 +121,36 @@ TEST_CASE("a save is used by one program at a time") {
   CHECK(kind(Access::write) == Kind::in_use);
 }
 
+TEST_CASE("a commit for which no memory is left is tried again") {
+  const ScratchDirectory directory;
+  edits::StateHash hash;
+  {
+    Save save = new_save(directory / "game.talus");
+    local::Workspace workspace{save.world()};
+    edits::Edit many;
+    for (std::int32_t at = 0; at < 256; ++at) {
+      many.writes.push_back({{64 + 2 * (at % 16), 200, 2 * (at / 16)}, MaterialId{256}});
+      many.writes.push_back({{65 + 2 * (at % 16), 200, 2 * (at / 16)}, MaterialId{257}});
+    }
+    REQUIRE(save.apply(workspace, many));
+    REQUIRE(save.commit());
+    REQUIRE(save.apply(workspace, written({64, 201, 0})));
+    const auto before = sqlite3_hard_heap_limit64(sqlite3_memory_used());
+    CHECK_THROWS_AS(save.commit(), std::bad_alloc);
+    sqlite3_hard_heap_limit64(before);
+    // Of a chunk that is put before that one.
+    REQUIRE(save.apply(workspace, written({0, 200, 0})));
+    const auto kept = save.commit();
+    INFO((kept ? std::string{} : kept.error().message));
+    REQUIRE(kept);
+    hash = save.edits().hash();
+  }
+  const auto save = Save::open(directory / "game.talus");
+  INFO((save ? std::string{} : save.error().message));
+  REQUIRE(save);
+  CHECK(save->edits().hash() == hash);
+}
+
 TEST_CASE("a save opened for reading is not written") {
   const ScratchDirectory directory;
   (void)new_save(directory / "game.talus");
@@ -131,6 +163,9 @@ TEST_CASE("a save opened for reading is not written") {
     const auto kept = save->commit();
     REQUIRE_FALSE(kept);
     CHECK(kept.error().kind == Kind::read_only);
+    const auto writer = Save::open(directory / "game.talus", Access::write);
+    REQUIRE_FALSE(writer);
+    CHECK(writer.error().kind == Kind::in_use);  // it is still locked
   }
   CHECK(read_whole(directory / "game.talus") == before);
 }

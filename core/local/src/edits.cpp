@@ -77,6 +77,17 @@ std::optional<std::vector<MaterialId>> placeable_ids(const World& world, const e
   return ids;
 }
 
+std::optional<edits::MaterialIds> material_ids(const World& world, const edits::MaterialIds& known) {
+  const auto placeables = placeable_ids(world, known);
+  if (!placeables) return std::nullopt;
+  edits::MaterialIds ids;
+  for (const terrain::Material& material : world.materials()) ids.emplace(material.name, material.id);
+  for (std::size_t i = 0; i < placeables->size(); ++i) {
+    ids.emplace(world.placeables()[i].name, (*placeables)[i]);
+  }
+  return ids;
+}
+
 tl::expected<EditOutcome, edits::EditError> Edits::apply(Workspace& workspace, const edits::Edit& edit) {
   const World& world = workspace.world();
   auto touched = edits::touched_voxels(edit);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -31,7 +32,9 @@ struct Workspace::Memory {
 Workspace::Workspace(std::shared_ptr<const World> world, std::size_t ground_bytes)
     : world_{std::move(world)},
       memory_{new Memory{
-          terrain::Generator{*world_, std::make_shared<terrain::GroundCache>(ground_bytes)}, {}, {}}} {}
+          terrain::Generator{*world_, std::make_shared<terrain::GroundCache>(ground_bytes)}, {}, {}}} {
+  assert(!world_->has_secrets());  // whose chunks need columns beyond the tiles
+}
 Workspace::~Workspace() = default;
 Workspace::Workspace(Workspace&&) noexcept = default;
 Workspace& Workspace::operator=(Workspace&&) noexcept = default;

@@ -32,7 +32,7 @@ tl::unexpected<SaveError> failed(sqlite3* database, const std::filesystem::path&
     case SQLITE_MISMATCH:
     case SQLITE_CONSTRAINT:
     case SQLITE_ERROR:
-      return refused(file, Kind::damaged, "is damaged; take a copy of it from before");
+      return refused(file, Kind::damaged, "is damaged; restore a backup");
     case SQLITE_FULL:
       return refused(file, Kind::full,
                      "the disk is full; nothing was written; free some space, and try again");
@@ -63,35 +63,47 @@ void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
   sqlite3_finalize(statement);
 }
 
+void Statement::note(int code) {
+  if (bound_ == SQLITE_OK) bound_ = code;
+}
+
 void Statement::bind(int at, std::int64_t number) {
-  sqlite3_bind_int64(statement_.get(), at, number);
+  note(sqlite3_bind_int64(statement_.get(), at, number));
 }
 
 void Statement::bind(int at, std::string_view text) {
-  sqlite3_bind_text64(statement_.get(), at, text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8);
+  note(sqlite3_bind_text64(statement_.get(), at, text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8));
 }
 
 void Statement::bind(int at, std::span<const std::byte> bytes) {
   // A null pointer would bind NULL.
-  sqlite3_bind_blob64(statement_.get(), at, bytes.empty() ? "" : static_cast<const void*>(bytes.data()),
-                      bytes.size(), SQLITE_STATIC);
+  note(sqlite3_bind_blob64(statement_.get(), at, bytes.empty() ? "" : static_cast<const void*>(bytes.data()),
+                           bytes.size(), SQLITE_STATIC));
 }
 
 Result<bool> Statement::step() {
-  const int code = sqlite3_step(statement_.get());
+  const int bound = std::exchange(bound_, SQLITE_OK);
+  const int code = bound == SQLITE_OK ? sqlite3_step(statement_.get()) : bound;
   if (code == SQLITE_ROW) return true;
-  sqlite3* const database = sqlite3_db_handle(statement_.get());
-  auto error = code == SQLITE_DONE ? Result<bool>{false} : Result<bool>{failed(database, file_, code)};
+  // Before an error is made, which may throw: a statement left as it is would keep pointers to freed bytes.
   sqlite3_reset(statement_.get());
-  return error;
+  sqlite3_clear_bindings(statement_.get());
+  if (code == SQLITE_DONE) return false;
+  return failed(sqlite3_db_handle(statement_.get()), file_, code);
 }
 
 std::int64_t Statement::number(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
 
+void Statement::check_memory(const void* value) const {
+  if (value != nullptr) return;  // NULL, an empty value, or no memory
+  if ((sqlite3_errcode(sqlite3_db_handle(statement_.get())) & 0xFF) == SQLITE_NOMEM) throw std::bad_alloc{};
+}
+
 std::string_view Statement::text(int column) const {
   const unsigned char* const text = sqlite3_column_text(statement_.get(), column);
+  check_memory(text);
   const int bytes = sqlite3_column_bytes(statement_.get(), column);
   return text == nullptr
              ? std::string_view{}
@@ -100,6 +112,7 @@ std::string_view Statement::text(int column) const {
 
 std::span<const std::byte> Statement::bytes(int column) const {
   const void* const bytes = sqlite3_column_blob(statement_.get(), column);
+  check_memory(bytes);
   const int count = sqlite3_column_bytes(statement_.get(), column);
   if (bytes == nullptr) return {};
   return {static_cast<const std::byte*>(bytes), static_cast<std::size_t>(count)};
@@ -113,7 +126,8 @@ Result<std::unique_ptr<Database>> Database::open(const std::filesystem::path& fi
   std::error_code code;
   const auto status = std::filesystem::status(file, code);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    return refused(file, Kind::foreign, "is no file");  // opening a pipe may wait
+    return refused(file, Kind::foreign,
+                   "is not a regular file; give that of a save");  // opening a pipe may wait
   }
   // Absolute, since SQLite has names of its own: "", ":memory:", "file:...".
   const std::filesystem::path absolute = std::filesystem::absolute(file, code);
@@ -170,8 +184,9 @@ Result<std::int64_t> Database::number(const char* sql) {
   return *row ? statement->number(0) : 0;
 }
 
-bool Database::in_transaction() const {
-  return sqlite3_get_autocommit(database_.get()) == 0;
+void Database::roll_back() noexcept {
+  if (sqlite3_get_autocommit(database_.get()) != 0) return;
+  sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 
 }  // namespace talus::saves

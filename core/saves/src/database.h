@@ -23,11 +23,11 @@ namespace talus::saves {
 /// A prepared statement of a Database that outlives it.
 class Statement {
  public:
-  /// Binds the parameter `at`, from 1. Bytes must live until step() has ended.
+  /// Binds the parameter `at`, from 1. Bytes must live until step(), which fails if this did.
   void bind(int at, std::int64_t number);
   void bind(int at, std::string_view text);
   void bind(int at, std::span<const std::byte> bytes);
-  /// True if there is a row. A finished or failed statement may be bound anew.
+  /// True if there is a row. A finished or failed statement has no bindings, and may be bound anew.
   [[nodiscard]] Result<bool> step();
 
   /// Columns of the row, from 0. Bytes and text live until the next step().
@@ -42,8 +42,11 @@ class Statement {
   };
   Statement(sqlite3_stmt* statement, const std::filesystem::path& file)
       : statement_{statement}, file_{file} {}
+  void note(int code);
+  void check_memory(const void* value) const;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
   const std::filesystem::path& file_;
+  int bound_ = 0;  // SQLite's code of the first bind that failed
 };
 
 class Database {
@@ -58,7 +61,8 @@ class Database {
   [[nodiscard]] Result<void> run(const char* sql);
   /// The number that a pragma returns.
   [[nodiscard]] Result<std::int64_t> number(const char* sql);
-  [[nodiscard]] bool in_transaction() const;
+  /// Ends a transaction, if there is one, without what it wrote.
+  void roll_back() noexcept;
 
  private:
   struct Close {

@@ -7,6 +7,7 @@
 #include <talus/terrain/world.h>
 
 #include "database.h"
+#include "save_form.h"
 
 namespace talus::saves {
 namespace {
@@ -126,7 +127,7 @@ Result<Save> Save::open(const std::filesystem::path& file, Access access) {
   auto world = world_of(*opened);
   if (!world) return tl::unexpected{std::move(world.error())};
   const auto placeables = local::placeable_ids(**world, opened->world().materials);
-  if (!placeables) return refused(file, Kind::damaged, "its materials have no ids left");
+  if (!placeables) return damaged(file, "its materials leave no ids for others");
   local::Edits edits{{opened->world().settles, *placeables}};
   std::string fault;
   while (fault.empty()) {
@@ -141,7 +142,7 @@ Result<Save> Save::open(const std::filesystem::path& file, Access access) {
             edits::to_string(opened->state().hash);
   }
   if (!fault.empty()) {
-    return refused(file, Kind::damaged, "is damaged, " + fault + "; take a copy of it from before");
+    return damaged(file, fault);
   }
   const std::uint64_t revision = opened->state().revision;
   return Save{*std::move(opened), *std::move(world), std::move(edits), revision};

@@ -55,7 +55,8 @@ Result<SaveFile> SaveFile::create(const fs::path& file, const SavedWorld& world)
   if (!written) {
     if (database) {
       database->reset();
-      if (!was_there) fs::remove(file, code);
+      // It may have been made by another program since.
+      if (!was_there && written.error().kind != Kind::exists) fs::remove(file, code);
     }
     return tl::unexpected{std::move(written.error())};
   }
@@ -132,7 +133,10 @@ Result<void> SaveFile::begin() {
   auto done = prepare(parts_->put, "REPLACE INTO chunks(x, z, y, runs) VALUES(?, ?, ?, ?)");
   if (done) done = prepare(parts_->remove, "DELETE FROM chunks WHERE x = ? AND z = ? AND y = ?");
   if (done) done = prepare(parts_->set_state, "UPDATE state SET revision = ?, hash = ?");
-  if (done) done = database.run("BEGIN IMMEDIATE");
+  if (done) {
+    roll_back();  // what no memory was left to roll back
+    done = database.run("BEGIN IMMEDIATE");
+  }
   return done;
 }
 
@@ -163,8 +167,9 @@ Result<void> SaveFile::commit(const SaveState& state) {
   return {};
 }
 
-void SaveFile::roll_back() {
-  if (parts_->database->in_transaction()) (void)parts_->database->run("ROLLBACK");
+void SaveFile::roll_back() noexcept {
+  if (parts_->access == Access::read) return;  // its transaction is the lock
+  parts_->database->roll_back();
 }
 
 }  // namespace talus::saves

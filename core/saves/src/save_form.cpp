@@ -94,7 +94,7 @@ Result<void> step_all(Result<Statement>&& statement) {
 }  // namespace
 
 tl::unexpected<SaveError> damaged(const fs::path& file, std::string_view what) {
-  return refused(file, Kind::damaged, "is damaged, " + std::string{what} + "; take a copy of it from before");
+  return refused(file, Kind::damaged, "is damaged, " + std::string{what} + "; restore a backup");
 }
 
 Result<void> check_form(Database& database) {

@@ -36,6 +36,10 @@ struct EditOutcome {
 [[nodiscard]] std::optional<std::vector<MaterialId>> placeable_ids(const World& world,
                                                                    const edits::MaterialIds& known);
 
+/// Ids of all materials of a world by name: those that it generates, and placeable_ids().
+[[nodiscard]] std::optional<edits::MaterialIds> material_ids(const World& world,
+                                                             const edits::MaterialIds& known = {});
+
 struct EditSettings {
   /// Loose material falls and slides after an edit, as with talusd's setting edits.settle.
   bool settles = false;

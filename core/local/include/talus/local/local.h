@@ -48,6 +48,7 @@ struct Tiles {
 /// The memory of one thread, for one world. Keeps the tiles made last, as columns without voxels.
 class Workspace {
  public:
+  /// REQUIRES that the world has no secret veins; open_world() makes none.
   /// `ground_bytes`: for ground that neighbouring tiles share, beyond what the tiles themselves take.
   explicit Workspace(std::shared_ptr<const World> world, std::size_t ground_bytes = std::size_t{64} << 20);
   ~Workspace();

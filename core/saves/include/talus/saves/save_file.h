@@ -77,7 +77,7 @@ class SaveFile {
   [[nodiscard]] Result<void> clear();
   [[nodiscard]] Result<void> commit(const SaveState& state);
   /// Drops what was put since begin(), if anything was.
-  void roll_back();
+  void roll_back() noexcept;
 
  private:
   struct Parts;
