@@ -226,3 +226,72 @@ test('what no edit could have left is refused', async (t) => {
   await assert.rejects(world.restore([{ x: 0, y: 0, z: 0, runs: Uint8Array.of(1, 2, 3) }]), { kind: 'range' });
   assert.deepEqual(await world.restore([{ x: 0, y: 0, z: 0, runs: Uint8Array.of(0, 0) }]), []);
 });
+
+test('with fewer workers, and more again, no chunk is lost', async (t) => {
+  const world = await openWorld(t, 'classic', { workers: 3 });
+  const client = source(world);
+  t.after(() => client.close());
+  const seen = new Set();
+  const errors = [];
+  client.on('error', (error) => errors.push(error));
+  client.on('chunk', ({ key }) => {
+    seen.add(nameOf(key));
+    // Opening workers that are not needed any more are let go as well.
+    if (seen.size % 64 === 0) void Promise.all([world.useWorkers(3), world.useWorkers(1)]).catch((error) => errors.push(error));
+  });
+  client.setView(VIEW);
+  await next(client, 'viewComplete');
+  assert.equal(seen.size, new ViewShape(VIEW, client.world).count);
+  const asked = Promise.all(Array.from({ length: 6 }, (_, x) => world.generate({ lod: 0, x: x * 8, y: 2, z: 40 })));
+  await world.useWorkers(3);
+  await world.useWorkers(1);
+  assert.equal((await asked).length, 6);
+  assert.deepEqual(errors, []);
+});
+
+test('workers without memory are reported once, and to every View', async (t) => {
+  const world = await openWorld(t, 'default', { memoryBytes: 8 << 20, groundBytes: 0 });
+  const client = source(world);
+  t.after(() => client.close());
+  const errors = [];
+  client.on('error', (error) => errors.push(error));
+  client.on('viewComplete', () => assert.fail('it has holes'));
+  const view = { centre: { x: 0, y: 70, z: 0 }, horizontalRadius: 10, verticalRadius: 2, rings: [{ lod: 2, radius: 16 }, { lod: 5, radius: 40 }] };
+  client.setView(view);
+  await next(client, 'error');
+  await assert.rejects(world.generate({ lod: 0, x: 0, y: 0, z: 0 }), { kind: 'out_of_memory' });
+  assert.deepEqual(errors.map(({ kind }) => kind), ['server_failed']);
+  const again = next(client, 'error');
+  client.setView({ ...view, horizontalRadius: 9 });
+  await again;
+});
+
+test('an edit that another page made void leaves no trace', async (t) => {
+  const guard = { x: 70, y: 70, z: 70 };
+  const voxel = { x: 3, y: 70, z: -3 };
+  const { rows } = await (await openWorld(t)).edit({ writes: [{ voxel: guard, material: 4 }] });
+  let client;
+  let taken = false;
+  const store = {
+    load: async () => (taken ? { revision: 1, rows } : { revision: 0, rows: [] }),
+    save: async () => {
+      taken = true;
+      client.setView(VIEW); // its chunks are made with the edit
+      await next(client, 'viewComplete');
+      return false;
+    },
+    close() {},
+  };
+  client = source(await openWorld(t), { store });
+  t.after(() => client.close());
+  const shown = [];
+  client.on('chunk', (chunk) => nameOf(chunk.key) === '0/0/2/-1' && shown.push(voxelOf(chunk, voxel)));
+  await client.ready();
+  const before = voxelOf(await client.getChunk({ lod: 0, x: 0, y: 2, z: -1 }), voxel);
+  const material = before === 2 ? 3 : 2;
+  const air = voxelOf(await client.getChunk({ lod: 0, x: 2, y: 2, z: 2 }), guard);
+  const back = chunkWhere(client, (chunk) => nameOf(chunk.key) === '0/0/2/-1' && voxelOf(chunk, voxel) === before);
+  await assert.rejects(client.edit({ guards: [{ voxel: guard, material: air }], writes: [{ voxel, material }] }), { kind: 'conflict' });
+  await back;
+  assert.deepEqual(shown, [material, before]);
+});

@@ -19,6 +19,8 @@ export interface Job<K extends CallName = CallName> {
 /** Has jobs when a worker has time. */
 export interface Supplier {
   next(): Job | null;
+  /** No worker is left, and none starts again. What it has under way fails after this. */
+  lost(error: WorldError): void;
 }
 
 class Hand {
@@ -30,21 +32,27 @@ class Hand {
   private ids = 0;
   private started: WorkerThread | null = null;
   private ended = false;
+  private isLetGo = false;
+  private hasOpened = false;
 
   constructor(
     private readonly message: OpenMessage,
     private readonly make: (() => Worker) | undefined,
     private readonly rows: () => readonly EditedChunk[],
     private readonly free: () => void,
-    /** It ended too often to be started again. */
-    private readonly lost: (hand: Hand, error: WorldError) => void,
+    /** It ends for good, before what it had fails; null: it was let go. */
+    private readonly lost: (hand: Hand, error: WorldError | null) => void,
   ) {
     this.about = this.start();
     this.about.catch(() => {});
   }
 
   get isFree(): boolean {
-    return this.thread !== null && this.open.size < JOBS_AT_ONCE;
+    return this.thread !== null && !this.isLetGo && this.open.size < JOBS_AT_ONCE;
+  }
+
+  get isOver(): boolean {
+    return this.ended || this.isLetGo;
   }
 
   give(job: Job): void {
@@ -53,6 +61,18 @@ class Hand {
     if (job.place !== '') this.place = job.place;
     this.thread!.await(true);
     this.thread!.post(call);
+  }
+
+  /** Ends when it has done what it has. */
+  letGo(): void {
+    this.isLetGo = true;
+    this.endIfDone();
+  }
+
+  private endIfDone(): void {
+    if (!this.isLetGo || this.ended || this.thread === null || this.open.size > 0) return;
+    this.lost(this, null);
+    this.end(new WorldError('closed', 'this worker was let go'));
   }
 
   end(error: WorldError): void {
@@ -75,6 +95,7 @@ class Hand {
           else this.refused(job, new WorldError(answer.failure.kind, answer.failure.message, answer.failure));
           this.free();
           this.thread?.await(this.open.size > 0);
+          this.endIfDone();
         },
         failed: (why: string) => {
           if (this.ended) return;
@@ -85,14 +106,21 @@ class Hand {
       };
       startWorker(events, this.make).then((started) => {
         this.started = started;
-        if (this.ended) return started.end();
+        if (this.ended) {
+          reject(new WorldError('closed', 'this worker has ended'));
+          return started.end();
+        }
         this.open.set(0, { name: 'open', args: [this.message], place: '', done: resolve, failed: reject } as unknown as Job);
         started.post({ id: 0, name: 'open', args: [this.message] });
-      }, reject);
+      }, (error: Error) => events.failed(error.message));
     });
     if (!this.ended) {
+      this.hasOpened = true;
       this.thread = this.started!;
       this.thread.await(false);
+      this.endIfDone();
+    }
+    if (!this.isOver) {
       const rows = this.rows();
       if (rows.length > 0) this.give({ name: 'restore', args: [rows], place: '', done: () => {}, failed: () => {} });
       this.free();
@@ -100,21 +128,28 @@ class Hand {
     return about;
   }
 
-  /** After these two kinds nothing in its memory can be relied on. */
+  /** After these kinds nothing in its memory can be relied on. */
   private refused(job: Job, error: WorldError): void {
-    job.failed(error);
-    if (job.name !== 'open' && (error.kind === 'out_of_memory' || error.kind === 'broken')) this.restart(error);
+    if (job.name !== 'open' && error.kind !== 'out_of_memory' && error.kind !== 'broken') return job.failed(error);
+    this.open.set(0, job);
+    this.restart(error);
   }
 
+  /** Unless it never opened, or ended too often. */
   private restart(error: WorldError): void {
     this.started?.end();
     this.thread = null;
+    if (this.isLetGo || !this.hasOpened || this.starts >= MAX_STARTS) {
+      this.about = Promise.reject(error);
+      this.about.catch(() => {});
+      this.lost(this, error);
+      this.end(error);
+      return;
+    }
     this.failAll(error);
-    if (this.ended) return;
-    const isLast = this.starts >= MAX_STARTS;
-    this.about = isLast ? Promise.reject(error) : this.start();
+    if (this.ended) return; // by who was told
+    this.about = this.start();
     this.about.catch(() => {});
-    if (isLast) this.lost(this, error);
   }
 
   private failAll(error: WorldError): void {
@@ -126,6 +161,8 @@ class Hand {
 
 export class Crew {
   private readonly hands: Hand[] = [];
+  /** Let go, but not done yet. */
+  private readonly leaving = new Set<Hand>();
   private readonly queue = new Map<string, Job[]>();
   private readonly suppliers = new Set<Supplier>();
   private ended: WorldError | null = null;
@@ -143,7 +180,11 @@ export class Crew {
 
   /** The first worker, which edits, is never let go. */
   async resize(workers: number): Promise<About> {
-    for (const hand of this.hands.splice(Math.max(1, workers))) hand.end(new WorldError('closed', 'this worker was let go'));
+    if (this.ended !== null) throw this.ended;
+    for (const hand of this.hands.splice(Math.max(1, workers))) {
+      this.leaving.add(hand);
+      hand.letGo();
+    }
     while (this.hands.length < workers) {
       this.hands.push(new Hand(this.message, this.make, this.rows, () => this.work(), (hand, error) => this.lose(hand, error)));
     }
@@ -213,8 +254,11 @@ export class Crew {
   }
 
   end(error: WorldError): void {
+    const isNew = this.ended === null;
     this.ended = error;
-    for (const hand of this.hands.splice(0)) hand.end(error);
+    if (isNew) for (const supplier of [...this.suppliers]) supplier.lost(error);
+    for (const hand of [...this.hands.splice(0), ...this.leaving]) hand.end(error);
+    this.leaving.clear();
     const waiting = [...this.queue.values()].flat();
     this.queue.clear();
     for (const job of waiting) job.failed(error);
@@ -222,13 +266,16 @@ export class Crew {
 
   private async askOne<K extends CallName>(hand: Hand | undefined, name: K, args: Parameters<Calls[K]>): Promise<ReturnType<Calls[K]>> {
     if (this.ended !== null || hand === undefined) throw this.ended;
-    while (hand.thread === null) await hand.about;
+    while (hand.thread === null && !hand.isOver) await hand.about;
+    if (hand.isOver) throw this.ended ?? new WorldError('closed', 'this worker was let go');
     return new Promise((resolve, reject) => hand.give({ name, args, place: '', done: resolve, failed: reject } as unknown as Job));
   }
 
-  private lose(hand: Hand, error: WorldError): void {
-    this.hands.splice(this.hands.indexOf(hand), 1);
-    if (this.hands.length === 0) this.end(error);
+  private lose(hand: Hand, error: WorldError | null): void {
+    if (this.leaving.delete(hand) || error === null) return;
+    const at = this.hands.indexOf(hand);
+    if (at >= 0) this.hands.splice(at, 1);
+    if (this.hands.length === 0 && this.ended === null) this.end(error);
   }
 
   private drop(place: string, job: Job): void {

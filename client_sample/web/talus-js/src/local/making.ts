@@ -17,7 +17,7 @@ export interface Made {
 export interface Taker {
   /** `edits`: World.edits when it was asked for. */
   made(chunk: Made, edits: number): void;
-  /** All chunks of the View are made. */
+  /** All chunks of the View are made, or failed. */
   whole(): void;
   failed(error: WorldError): void;
   /** The application has enough to do for now; call Making.goOn() then. */
@@ -50,6 +50,7 @@ export class Making implements Supplier {
   private readonly asked = new Map<string, Range>();
   private underway = 0;
   private isTold = true;
+  private lostBy: WorldError | null = null;
   private readonly supply: { again(): void; end(): void };
 
   constructor(
@@ -69,6 +70,7 @@ export class Making implements Supplier {
       this.asked.clear();
       return;
     }
+    if (this.lostBy !== null) return this.taker.failed(this.lostBy);
     for (const [name, rows] of this.asked) {
       const [lod, x, z] = name.split('/').map(Number) as [number, number, number];
       const wanted = shape.rows(lod, x, z);
@@ -107,6 +109,8 @@ export class Making implements Supplier {
   end(): void {
     this.supply.end();
     this.patches = [];
+    this.next_ = 0;
+    this.isTold = true;
     this.shape = null;
   }
 
@@ -153,11 +157,18 @@ export class Making implements Supplier {
     this.tell();
   }
 
+  lost(error: WorldError): void {
+    this.lostBy = error;
+    this.patches = [];
+    this.isTold = true;
+    this.taker.failed(error);
+  }
+
   /** A worker that ended is replaced, so its work is done again. */
   private failed(patch: Patch, error: WorldError): void {
     --this.underway;
     for (const { x, z } of patch.columns) this.asked.delete(`${patch.lod}/${x}/${z}`);
-    if (error.kind === 'closed') return;
+    if (this.lostBy !== null) return;
     if (++patch.failures < MAX_FAILURES) {
       this.patches.push(patch);
       this.supply.again();
