@@ -65,7 +65,7 @@ export class EditQueue {
       if (changed === 0) return { revision: BigInt(this.revision), changed };
       if (!(await this.keep(rows))) {
         // Another page was faster: this edit happens on what it left.
-        await this.world.restore(before);
+        this.events.changed(await this.world.restore(before), BigInt(this.revision));
         await this.catchUp();
         continue;
       }

@@ -107,7 +107,10 @@ export class World {
 
   /** The base voxel for a player's feet, as a server of this world has it. */
   spawn(): Promise<Position> {
-    this.spawnFound ??= this.crew.ask('spawn', [], '');
+    this.spawnFound ??= this.crew.ask('spawn', [], '').catch((error: WorldError) => {
+      this.spawnFound = null; // another attempt may succeed
+      throw error;
+    });
     return this.spawnFound;
   }
 
