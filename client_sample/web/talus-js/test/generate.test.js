@@ -190,10 +190,12 @@ test('one chunk that differs from the server\'s, and all are streamed', async (t
 test('what cannot be opened is streamed, and said once', async (t) => {
   for (const [how, welcomed, words] of [
     [{ fetch: async () => new Response(null, { status: 404 }) }, published, /the server has no such file/],
-    [{ fetch: async () => new Response(null, { status: 503 }) }, published, /the server answers 503/],
+    [{ fetch: async () => new Response(null, { status: 503 }) }, published, /answered 503/],
     [{ fetch: async () => Promise.reject(new TypeError('fetch failed')) }, published, /fetch failed/],
     [{ fetch: answers('seed = ') }, published, /not made here: 1:/],
-    [{ fetch: answers(new Uint8Array((1 << 20) + 1)) }, published, /larger than 1048576 bytes/],
+    [{ fetch: answers(new Uint8Array((1 << 20) + 1)) }, published, /more than 1048576 bytes/],
+    [{ fetch: answers(Array.from({ length: 257 }, (_, i) => `# "${i}.vox"\n`).join('')) }, published, /more than 256 files/],
+    [{ fetch: answers(`# "${'a'.repeat(1021)}.vox"`) }, published, /more than 1024 bytes/],
     [{ fetch: async () => new Response(toml) }, { ...published, fingerprint: 'a'.repeat(32) }, /the published world is .* the server's is a{32}/],
   ]) {
     const { side, errors, complete, client } = await joined(t, how, welcomed);
@@ -214,4 +216,15 @@ test('a world that is not published, or a client that is not told to, is streame
     await new Promise((resolve) => setImmediate(resolve));
     assert.deepEqual([errors.length, fetch.mock.callCount(), side.heard.length], [0, 0, 0]);
   }
+});
+
+test('what is fetched ends with the client', async (t) => {
+  let signal;
+  const fetch = (url, init) => new Promise((_, reject) => (signal = init.signal).addEventListener('abort', () => reject(signal.reason)));
+  const { client, errors } = await joined(t, { fetch });
+  while (signal === undefined) await soon();
+  client.close();
+  assert.ok(signal.aborted);
+  await soon();
+  assert.deepEqual(errors, []);
 });

@@ -11,11 +11,12 @@ const BASE = `/v1/${FINGERPRINT}/4/0`;
 const EDITED = `/v1/${FINGERPRINT}/${STORE}/4/0`;
 const EDITS = `/v1/${FINGERPRINT}/${STORE}/edits/0`;
 const rates = { chunks_per_second: 0, bytes_per_second: 0, requests_per_second: 0, burst_ms: 1000 };
-const world = (storeId) => ({
+const world = (storeId, worldFile) => ({
   server: 'test', fingerprint: FINGERPRINT, store_id: storeId, codec: 4, chunk_size: 32, levels: 7, min_y: 0, max_y: 64,
   spawn: [0, 40, 0], materials: [{ id: 0, name: 'air', colour: '#000000', phase: 'gas' }], looks: [], fields: [],
   limits: { heights_per_request: 10, view_horizontal_radius: 9, view_vertical_radius: 9, view_chunks: 9999, square_edge: 4, session: rates, address: rates },
   edits: { taken: true, revision: '0' },
+  world_file: worldFile,
 });
 
 const uniform = (material) => encodeChunk({ uniform: material, voxels: null });
@@ -61,7 +62,7 @@ function edits(...columns) {
  * `answers` by path: bytes, or a path to which it redirects; a column otherwise. `revisions` by path: what Talus-Revision
  * says of it.
  */
-function serve(t, { storeId = STORE, interval = Infinity, answers = new Map(), revisions = new Map() } = {}) {
+function serve(t, { storeId = STORE, interval = Infinity, answers = new Map(), revisions = new Map(), worldFile = '', ...options } = {}) {
   const asked = [];
   const fetch = async (url) => {
     let path = new URL(url).pathname;
@@ -69,13 +70,13 @@ function serve(t, { storeId = STORE, interval = Infinity, answers = new Map(), r
     while (typeof answers.get(path) === 'string') path = answers.get(path);
     const body =
       path === '/v1/world'
-        ? new TextEncoder().encode(JSON.stringify(world(storeId)))
+        ? new TextEncoder().encode(JSON.stringify(world(storeId, worldFile)))
         : (answers.get(path) ?? (path.includes('/edits/') ? edits() : column(marked(5), marked(6))));
     const response = new Response(body, revisions.has(path) ? { headers: { 'Talus-Revision': revisions.get(path) } } : {});
     Object.defineProperty(response, 'url', { value: `http://server${path}` });
     return response;
   };
-  const client = connect({ url: 'http://server', fetch, editsIntervalMs: interval });
+  const client = connect({ url: 'http://server', fetch, editsIntervalMs: interval, ...options });
   t.after(() => client.close());
   const chunks = [];
   let wake = () => {};
@@ -262,4 +263,15 @@ test('a page of another origin learns which setting may refuse it', async (t) =>
     assert.match(await reason({ url }), /^unreachable: .*, or the server refuses pages of http:\/\/localhost:5173: .* http\.origins /);
   }
   assert.doesNotMatch(await reason({ url: 'http://localhost:5173' }), /http\.origins/);
+});
+
+test('a published world that does not open costs no View again', async (t) => {
+  const worldFile = `/v1/${FINGERPRINT}/world.toml`;
+  const { client, asked, chunks, look } = serve(t, { generate: 'auto', worldFile, answers: new Map([[worldFile, new TextEncoder().encode('seed = ')]]) });
+  const failed = new Promise((resolve) => client.on('error', resolve));
+  await look(0, 0);
+  assert.equal((await failed).kind, 'cannot_generate');
+  await new Promise(setImmediate);
+  assert.equal(new Set(asked).size, asked.length, 'nothing is asked for twice');
+  assert.equal(chunks.length, 2);
 });

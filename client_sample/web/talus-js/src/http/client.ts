@@ -71,6 +71,7 @@ export class HttpClient extends ClientBase {
   private holdTimer: ReturnType<typeof setTimeout> | undefined;
   /** Makes columns as generated (ConnectOptions.generate); null: they are fetched. */
   private maker: MadeTiles | null = null;
+  private opening = new AbortController();
   private openedFor = ''; // fingerprint of the world that was opened, or could not be
   private readonly debts = new WeakMap<Chunk, number>();
   private owedBytes = 0; // of chunks with which the application is not done
@@ -153,6 +154,7 @@ export class HttpClient extends ClientBase {
     const world = this.world!;
     if (world.worldFile === '' || this.openedFor === world.fingerprint) return;
     const { fingerprint } = world;
+    const { signal } = (this.opening = new AbortController());
     this.openedFor = fingerprint;
     const isCurrent = () => !this.isClosed && this.openedFor === fingerprint;
     const failed = (why: Error) => isCurrent() && this.cannotMake(why);
@@ -162,15 +164,17 @@ export class HttpClient extends ClientBase {
       return { key, revision, hash: hashVoxels(decodeChunk(payload)), payload, material: null };
     };
     import('../local/made_tiles.js')
-      .then(({ MadeTiles }) => MadeTiles.open(this.options, this.base, world, { compare, failed }))
+      .then(({ MadeTiles }) => MadeTiles.open(this.options, this.base, world, { compare, failed }, signal))
       .then((maker) => (isCurrent() ? (this.maker = maker) : maker.end()), failed);
   }
 
   private cannotMake(why: Error): void {
     if (this.maker === null && this.saidWhy === this.openedFor) return;
     this.saidWhy = this.openedFor;
+    const hasMade = this.maker !== null;
     this.stopMaking(false);
     this.emit('error', new TalusError('cannot_generate', `chunks are not made here: ${why.message}`));
+    if (!hasMade) return;
     // What was made comes again.
     for (const [name, { revision }] of this.columns) if (revision === 0n) this.columns.delete(name);
     if (this.connected && this.tracker.view !== null) this.viewApplied();
@@ -178,6 +182,7 @@ export class HttpClient extends ClientBase {
   private saidWhy = '';
 
   private stopMaking(mayOpen = true): void {
+    this.opening.abort();
     this.maker?.end();
     this.maker = null;
     if (mayOpen) this.openedFor = '';

@@ -14,7 +14,7 @@ export class HttpError extends TalusError {
   }
 }
 
-const TIMEOUT_MS = 30_000; // a server answers within 20 s
+const TIMEOUT_MS = 30_000; // between parts of an answer; a server answers within 20 s
 const MAX_ERROR_BYTES = 16_384;
 
 export interface Getter {
@@ -38,11 +38,20 @@ export async function get(
   signal: AbortSignal,
   method = 'GET',
 ): Promise<Got> {
-  const timeout = AbortSignal.timeout(TIMEOUT_MS);
   const abort = new AbortController();
   const pass = () => abort.abort();
+  let isLate = false;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const wait = () => {
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      isLate = true;
+      pass();
+    }, TIMEOUT_MS);
+  };
   signal.addEventListener('abort', pass);
-  timeout.addEventListener('abort', pass);
+  if (signal.aborted) pass();
+  wait();
   try {
     const response = await fetch(url, {
       method,
@@ -51,27 +60,28 @@ export async function get(
     });
     if (!response.ok) throw await failure(response, url);
     const revision = response.headers.get('Talus-Revision');
-    return { body: await readBounded(response, maxBytes, url), url: response.url, revision };
+    return { body: await readBounded(response, maxBytes, url, wait), url: response.url, revision };
   } catch (error) {
     if (error instanceof TalusError) throw error;
     if (signal.aborted) throw new TalusError('cancelled', `the request for ${url} was given up`);
-    if (timeout.aborted) throw new TalusError('timed_out', `${url} did not answer within ${TIMEOUT_MS / 1_000} s`);
+    if (isLate) throw new TalusError('timed_out', `${url} did not answer within ${TIMEOUT_MS / 1_000} s`);
     const cause = (error as { cause?: { message?: string } }).cause?.message ?? (error as Error).message;
     throw new TalusError('unreachable', `${url} cannot be reached: ${cause}${originHint(url)}`);
   } finally {
     signal.removeEventListener('abort', pass);
-    timeout.removeEventListener('abort', pass);
+    clearTimeout(timer);
     abort.abort(); // drops unread data
   }
 }
 
-async function readBounded(response: Response, maxBytes: number, url: string): Promise<Uint8Array> {
+async function readBounded(response: Response, maxBytes: number, url: string, came = () => {}): Promise<Uint8Array> {
   const reader = response.body?.getReader();
   if (reader === undefined) return new Uint8Array(0);
   let body = new Uint8Array(0);
   let count = 0;
   for (;;) {
     const { done, value } = await reader.read();
+    came();
     if (done) return body.subarray(0, count);
     if (count + value.length > maxBytes) {
       void reader.cancel().catch(() => {});

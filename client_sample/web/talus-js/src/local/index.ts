@@ -3,7 +3,7 @@ import { LocalSource, type SourceOptions } from './source.js';
 import type { Client } from '../types.js';
 import type { World } from './world.js';
 
-export { World, WorldError, type MadeChunk, type OpenOptions, type Wanted } from './world.js';
+export { workersFor, World, WorldError, type MadeChunk, type OpenOptions, type Wanted } from './world.js';
 export { IndexedDbEdits } from './indexed_db_edits.js';
 export type { EditedChunk, EditStore } from './edit_store.js';
 export type { SourceOptions } from './source.js';

@@ -35,8 +35,8 @@ export class LocalChunks {
   private isServerDone = false;
   private isMade = false;
 
-  static async open(options: ConnectOptions, base: string, facts: Facts, tracker: Tracker, host: LocalHost): Promise<LocalChunks> {
-    return new LocalChunks(await openPublished(options, base, facts), tracker, host);
+  static async open(options: ConnectOptions, base: string, facts: Facts, tracker: Tracker, host: LocalHost, signal: AbortSignal): Promise<LocalChunks> {
+    return new LocalChunks(await openPublished(options, base, facts, signal), tracker, host);
   }
 
   private constructor(

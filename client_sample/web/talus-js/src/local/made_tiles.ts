@@ -26,8 +26,8 @@ export interface TilesHost {
 export class MadeTiles {
   private readonly proofs: Proofs;
 
-  static async open(options: ConnectOptions, base: string, facts: Facts, host: TilesHost): Promise<MadeTiles> {
-    return new MadeTiles(await openPublished(options, base, facts), host);
+  static async open(options: ConnectOptions, base: string, facts: Facts, host: TilesHost, signal: AbortSignal): Promise<MadeTiles> {
+    return new MadeTiles(await openPublished(options, base, facts, signal), host);
   }
 
   private constructor(

@@ -27,6 +27,8 @@ const PATCH = 2; // 2^2 x 2^2 columns share most of the work
 export const patchOf = ({ lod, x, z }: { lod: number; x: number; z: number }): string => `${lod}/${x >> PATCH}/${z >> PATCH}`;
 
 export const MAX_WORKERS = 64;
+/** Half of the cores: meshes and the page need the others. */
+export const workersFor = (cores: number): number => Math.min(4, Math.max(1, cores >> 1));
 
 /** Chunks of a world, equal to a server's to the bit. No call blocks. */
 export class World {

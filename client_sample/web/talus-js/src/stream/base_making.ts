@@ -30,6 +30,7 @@ const LEAST_CORES = 2;
 
 export class BaseMaking {
   private local: LocalChunks | null = null;
+  private opening = new AbortController();
   /** Of the world that is being opened, or was. */
   private fingerprint = '';
   private hasEnded = false;
@@ -100,6 +101,7 @@ export class BaseMaking {
     const { fingerprint } = world;
     this.fingerprint = fingerprint;
     const isCurrent = () => !this.hasEnded && this.fingerprint === fingerprint;
+    const { signal } = (this.opening = new AbortController());
     let isOver = false;
     const fail = (why: Error) => {
       if (isOver || !isCurrent()) return; // it is said once
@@ -107,7 +109,7 @@ export class BaseMaking {
       this.fail(why);
     };
     import('../local/local_chunks.js')
-      .then(({ LocalChunks }) => LocalChunks.open(this.options, base, world, this.tracker, { ...this.host, failed: fail }))
+      .then(({ LocalChunks }) => LocalChunks.open(this.options, base, world, this.tracker, { ...this.host, failed: fail }, signal))
       .then(
         (local) => {
           if (!isCurrent()) return local.end();
@@ -127,6 +129,7 @@ export class BaseMaking {
   }
 
   private stop(): void {
+    this.opening.abort();
     this.local?.end();
     this.local = null;
   }

@@ -1,14 +1,12 @@
 // The world made in this page, where no server is: answers what a server would.
 import type { Client, TalusError } from 'talus';
-import { IndexedDbEdits, source, World, WorldError } from 'talus/local';
+import { IndexedDbEdits, source, workersFor, World, WorldError } from 'talus/local';
 import { Server, type Obstacle, type ServerWorld } from '../connection/server';
 import { bestHeading, OUTLOOK } from '../place/outlook';
 import { DEFAULT_WORLD, modelsOf, shippedWorld, WORLD_NAMES } from './shipped';
 import { LinkError, unpacked } from './world_link';
 
 const TILE_PIXELS = 256;
-/** Meshes take the other cores. */
-const workersFor = (cores: number): number => Math.min(4, Math.max(1, cores >> 1));
 
 export class Here extends Server {
   override readonly source = () => this.#source();
