@@ -273,5 +273,5 @@ test('a published world that does not open costs no View again', async (t) => {
   assert.equal((await failed).kind, 'cannot_generate');
   await new Promise(setImmediate);
   assert.equal(new Set(asked).size, asked.length, 'nothing is asked for twice');
-  assert.equal(chunks.length, 2);
+  assert.equal(chunks.length, 3);
 });
