@@ -211,7 +211,8 @@ TEST_CASE("a world names the rows and materials that edits may use") {
         "fill 0: voxel y is 4197; in this world it must lie in -4106 to 4196");
   Edit edit = filling({0, 0, 0}, {0, 0, 0});
   edit.fills[0].material = MaterialId{4};
-  CHECK(refused(edit) == "fill 0: material 4 is not in this world; it must be one that Welcome names");
+  CHECK(refused(edit) ==
+        "fill 0: material 4 is not in this world; it must be an id of its list of materials");
   edit.fills[0] = {{0, 0, 0}, {0, 0, 0}, {}, MaterialId{4}};
   CHECK(refused(edit).starts_with("fill 0: material 4"));
   edit.fills[0].only = MaterialId{300};

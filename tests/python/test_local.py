@@ -53,7 +53,7 @@ class LocalTest(unittest.TestCase):
         self.assertEqual(world.changed_chunks(), [(0, 6, 0)])
         with self.assertRaises(LocalError) as in_use:
             World.open(save)
-        self.assertIn("another program uses this save", str(in_use.exception))
+        self.assertIn("game.talus: is in use", str(in_use.exception))
         voxels, edits = world.generate(0, 6, 0), world.hash
         world.close()
         again = self.open(save, read_only=True)

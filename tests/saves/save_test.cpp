@@ -113,7 +113,7 @@ TEST_CASE("a save is used by one program at a time") {
     CHECK(kind(Access::write) == Kind::in_use);
     CHECK(kind(Access::read) == Kind::in_use);
     CHECK_THAT(Save::open(directory / "game.talus").error().message,
-               Catch::Contains("game.talus: another program uses this save"));
+               Catch::Contains("game.talus: is in use"));
   }
   const auto reader = Save::open(directory / "game.talus", Access::read);
   REQUIRE(reader);

@@ -76,6 +76,7 @@ TEST_CASE("a save that goes through a store is the same") {
   INFO(error_of(imported));
   REQUIRE(imported);
   CHECK(imported->compared);
+  CHECK(imported->fingerprint == land().world->fingerprint());
   CHECK(imported->voxels == 81 * 11 * 2 + 1);
   {
     const auto store = store::ReadOnlyStore::open(scratch / "data");

@@ -156,7 +156,7 @@ tl::expected<void, EditError> check_material(const std::string& what, MaterialId
                                              std::span<const MaterialId> materials) {
   if (std::ranges::binary_search(materials, material)) return {};
   return refused(what + ": material " + std::to_string(to_integer(material)) +
-                 " is not in this world; it must be one that Welcome names");
+                 " is not in this world; it must be an id of its list of materials");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ tl::unexpected<SaveError> failed(sqlite3* database, const std::filesystem::path&
       throw std::bad_alloc{};
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return refused(file, Kind::in_use, "another program uses this save; close it there first");
+      return refused(file, Kind::in_use, "is in use; close it where it is open");
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_AUTH:

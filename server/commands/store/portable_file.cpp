@@ -145,7 +145,8 @@ tl::expected<PortableReader, std::string> PortableReader::open(Source source) {
   if (!got) return tl::unexpected{got.error()};
   const auto magic = std::as_bytes(std::span{kMagic});
   if (*got < first.size() || !std::ranges::equal(std::span{first}.first(magic.size()), magic)) {
-    return tl::unexpected{std::string{"it is not a file of edits; give one that talusd store export wrote"}};
+    return tl::unexpected{std::string{
+        "it is not a file of edits; give one that talusd store export wrote, or a player's save"}};
   }
   const std::uint32_t version = store::ByteReader{std::span{first}.subspan(magic.size())}.fixed32();
   if (version != kPortableVersion) {

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 #include <talus/progress/progress_bar.h>
+#include <talus/saves/save_file.h>
 #include <talus/store/id_check.h>
 #include <talus/store/store_swap.h>
 #include <talus/store/whole_store.h>
@@ -324,6 +325,18 @@ void remove_made(const store::DataDirectory& directory, std::span<const fs::path
   }
 }
 
+/// The world that talusd needs, after a save into a directory without a store.
+std::string world_of_save(const Flags& flags, bool is_other) {
+  if (is_other) {
+    return fmt::format(
+        "talusd needs the save's world: sqlite3 {} 'select spec from world' > world.toml, --world "
+        "world.toml\n",
+        flags.path);
+  }
+  if (flags.world.empty()) return "talusd needs no --world: the save is of the built-in world\n";
+  return fmt::format("talusd needs --world {}\n", flags.world);
+}
+
 }  // namespace
 
 Answer export_file(const Flags& flags, const Outside&) {
@@ -354,14 +367,17 @@ Answer import_file(const Flags& flags, const Outside& outside) {
   }
   std::string text = rebuilt_lines(flags.data, *imported);
   if (imported->both > 0) {
-    text += fmt::format("{} voxels were in both; they are the {}'s\n", imported->both,
-                        flags.keep ? "store" : "file");
+    text += fmt::format("in both: {}, as the {} has {}\n", counted(imported->both, "voxel"),
+                        flags.keep ? "store" : "file", imported->both == 1 ? "it" : "them");
   }
   if (!imported->compared) {
     text += fmt::format(
         "the world ({}) differs from the file's; talusd at its start, or a rebase, checks that it generates "
         "the file's materials\n",
         flags.world.empty() ? "default" : flags.world);
+  }
+  if (imported->replaced.empty() && saves::is_database(flags.path)) {
+    text += world_of_save(flags, *world == nullptr || (*world)->fingerprint() != imported->fingerprint);
   }
   return text;
 }

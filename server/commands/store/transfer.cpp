@@ -224,6 +224,7 @@ tl::expected<Rebuilt, std::string> import_edits(const fs::path& file, const stor
   const auto staging = store::make_staging(directory.path());
   if (!staging) return tl::unexpected{staging.error()};
   Rebuilt rebuilt;
+  rebuilt.fingerprint = header.fingerprint;
   rebuilt.store_id = store::random_store_id();
   rebuilt.compared = generated.has_value();
   auto made = store::StoreBuilder::create(*staging, {rebuilt.store_id, header.fingerprint},

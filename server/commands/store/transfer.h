@@ -31,6 +31,7 @@ struct Rebuilt {
   bool compared = false;      // import: the materials that the world generates were known
   std::uint64_t as_base = 0;  // rebase: overrides equal to the new world's generated voxels
   std::uint64_t unknown = 0;  // rebase: overrides of materials that the new world lacks
+  ContentHash fingerprint;    // import: of the world
   ContentHash store_id;
   std::filesystem::path replaced;  // where the previous store is kept; empty: there was none
 };

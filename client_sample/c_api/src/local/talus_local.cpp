@@ -433,7 +433,7 @@ talus_status talus_save_commit(talus_local_world* world) {
   return guarded("talus_save_commit", [&](const auto& failed) {
     if (world == nullptr) return failed(TALUS_INVALID_ARGUMENT, "world is NULL");
     const auto done = world->land->commit();
-    if (!done) return failed(TALUS_INVALID_ARGUMENT, "the world has no save; talus_save_create() makes one");
+    if (!done) return failed(TALUS_INVALID_ARGUMENT, "the world has no save; create one first");
     return *done ? talus_status{TALUS_OK} : failed_save("talus_save_commit", done->error());
   });
 }

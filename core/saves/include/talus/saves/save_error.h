@@ -12,7 +12,7 @@ struct SaveError {
   enum class Kind : std::uint8_t {
     missing,    // no such file, or it may not be read
     exists,     // create(): the file is there already
-    in_use,     // by another program
+    in_use,     // by a program, perhaps this one
     read_only,  // the file, or how it was opened
     foreign,    // no save of Talus
     other,      // of another format, generator version or fingerprint
