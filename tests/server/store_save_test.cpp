@@ -161,7 +161,28 @@ TEST_CASE("an export as a save names what the world lacks, and leaves the file a
   CHECK_THAT(refused("seed = 1\nwrong = 1\n"), Catch::Contains("wrong"));
   CHECK(read_whole(old) == "old");
   CHECK_THAT(error_of(export_from(scratch / "data", scratch.write("world.toml", kLand), scratch.path())),
-             Catch::Contains("is no file that may be replaced"));
+             Catch::Contains("is not a regular file; give another name"));
+}
+
+TEST_CASE("an export replaces no save that is open, and finishes a journal first") {
+  const ScratchDirectory scratch;
+  (void)save_to(scratch / "game.talus");
+  REQUIRE(import_from(scratch / "game.talus", scratch / "data"));
+  const fs::path world = scratch.write("land.toml", kLand);
+  const auto error = [&](const char* name) {
+    return error_of(export_from(scratch / "data", world, scratch / name));
+  };
+  {
+    const auto game = saves::Save::open(scratch / "game.talus");
+    REQUIRE(game);
+    CHECK_THAT(error("game.talus"), Catch::Contains("another program uses this save"));
+  }
+  CHECK(error("game.talus").empty());
+  CHECK_FALSE(fs::exists(scratch / "game.talus-journal"));
+  CHECK(saves::Save::open(scratch / "game.talus"));
+  scratch.write("lost.talus-journal", "pages");
+  CHECK_THAT(error("lost.talus"),
+             Catch::Contains("lost.talus-journal: is the journal of a save that is gone"));
 }
 
 TEST_CASE("the commands take and give saves") {

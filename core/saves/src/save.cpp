@@ -14,16 +14,6 @@ namespace {
 
 using Kind = SaveError::Kind;
 
-edits::MaterialIds materials_of(const local::World& world) {
-  edits::MaterialIds ids;
-  for (const terrain::Material& material : world.materials()) ids.emplace(material.name, material.id);
-  std::size_t index = 0;
-  for (const terrain::Placeable& placeable : world.placeables()) {
-    ids.emplace(placeable.name, local::placeable_id(index++));
-  }
-  return ids;
-}
-
 // A transaction that ends with its block.
 class Transaction {
  public:
@@ -65,7 +55,7 @@ tl::expected<WorldSource, local::SpecProblem> read_world(std::span<const std::by
   source.saved.spec.assign(reinterpret_cast<const char*>(toml.data()), toml.size());
   source.saved.generator = terrain::to_integer(source.world->generator_version());
   source.saved.fingerprint = to_string(source.world->fingerprint());
-  source.saved.materials = materials_of(*source.world);
+  source.saved.materials = *local::material_ids(*source.world);  // far fewer than there are ids
   return source;
 }
 

@@ -80,11 +80,13 @@ class SaveSource final : public EditSource {
     if (!chunk) return tl::unexpected{chunk.error().message};
     if (!*chunk) {
       if (hash_ == header_.head.hash) return std::nullopt;
-      return tl::unexpected<std::string>{
-          "is damaged: the hash of its edits is wrong; take a copy from before"};
+      return tl::unexpected<std::string>{"is damaged: the hash of its edits is wrong; restore a backup"};
     }
     auto voxels = edits::decode_runs((*chunk)->runs);
-    if (!voxels || voxels->empty()) return tl::unexpected{"is damaged: chunk " + to_string((*chunk)->chunk)};
+    if (!voxels || voxels->empty()) {
+      return tl::unexpected{"is damaged: the edits of chunk " + to_string((*chunk)->chunk) +
+                            " cannot be read; restore a backup"};
+    }
     bytes_read_ += (*chunk)->runs.size();
     hash_.add((*chunk)->chunk, *voxels);
     return PortableChunk{(*chunk)->chunk, *std::move(voxels)};

@@ -37,14 +37,23 @@ tl::expected<saves::WorldSource, std::string> read_world_file(const fs::path& fi
   return *std::move(source);
 }
 
-/// Names of the save: those that the world generates, and all that the store ever gave an id.
-edits::MaterialIds names_of(const terrain::World& world, const std::map<std::string, MaterialId>& stored) {
-  edits::MaterialIds names;
-  for (const terrain::Material& material : world.materials()) names.emplace(material.name, material.id);
-  for (const auto& [name, id] : stored) {
-    if (to_integer(id) >= edits::kFirstBound) names.emplace(name, id);
+/// Keeps a file that is to be replaced from other programs, with its journal finished: SQLite would write
+/// one that is left into the file that gets its name.
+tl::expected<std::optional<saves::SaveFile>, std::string> lock_old(const fs::path& file) {
+  std::error_code code;
+  const auto status = fs::status(file, code);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    return tl::unexpected{fmt::format("{}: is not a regular file; give another name", file.string())};
   }
-  return names;
+  if (saves::is_database(file)) {
+    auto old = saves::SaveFile::open(file, saves::Access::write);
+    if (!old) return tl::unexpected{old.error().message + "; or give another name"};
+    return *std::move(old);
+  }
+  const std::string journal = file.string() + "-journal";
+  if (!fs::exists(journal, code)) return std::nullopt;
+  return tl::unexpected{
+      fmt::format("{}: is the journal of a save that is gone; remove it, or give another name", journal)};
 }
 
 /// A file that goes away unless it is renamed.
@@ -66,24 +75,29 @@ tl::expected<ExportResult, std::string> export_save(const store::ReadOnlyStore& 
   const store::StoreMeta& meta = store.meta();
   if (source->world->fingerprint() != meta.fingerprint) {
     return tl::unexpected{fmt::format(
-        "the store is of the world with fingerprint {}, and {} has {}; give the store's world as --world",
+        "the store is of the world with fingerprint {}, and {} has {}; give the store's world as --world; if "
+        "it has [secret], there is no save of it: export without --save",
         to_string(meta.fingerprint), world_file.empty() ? "the built-in world" : world_file.string(),
         to_string(source->world->fingerprint()))};
   }
   source->saved.settles = settles;
-  source->saved.materials = names_of(*source->world, store.materials());
-  const auto ids = local::placeable_ids(*source->world, source->saved.materials);
-  if (!ids) return tl::unexpected<std::string>{"ids of materials that may be placed end"};
-  std::set<MaterialId> named{ids->begin(), ids->end()};
-  for (const terrain::Material& material : source->world->materials()) named.insert(material.id);
-  for (std::size_t i = 0; i < ids->size(); ++i) {
-    source->saved.materials.emplace(source->world->placeables()[i].name, (*ids)[i]);
+  auto ids = local::material_ids(*source->world, store.materials());
+  if (!ids) {
+    return tl::unexpected<std::string>{
+        "no ids are left for placeable materials; give a world that names fewer new ones"};
+  }
+  std::set<MaterialId> named;
+  for (const auto& [name, id] : *ids) named.insert(id);
+  source->saved.materials = *std::move(ids);
+  for (const auto& [name, id] : store.materials()) {  // all that the store ever gave an id
+    if (to_integer(id) >= edits::kFirstBound) source->saved.materials.emplace(name, id);
   }
   std::error_code code;
-  if (const auto status = fs::status(file, code); fs::exists(status) && !fs::is_regular_file(status)) {
-    return tl::unexpected{fmt::format("{}: is no file that may be replaced", file.string())};
-  }
-  const Temporary temporary{file.string() + fmt::format(".new-{}", ::getpid())};
+  fs::path target = fs::canonical(file, code);  // of a symlink
+  if (code) target = file;
+  auto old = lock_old(target);
+  if (!old) return tl::unexpected{std::move(old.error())};
+  const Temporary temporary{target.string() + fmt::format(".new-{}", ::getpid())};
   ExportResult result;
   {
     auto save = saves::SaveFile::create(temporary.path, source->saved);
@@ -125,10 +139,12 @@ tl::expected<ExportResult, std::string> export_save(const store::ReadOnlyStore& 
     }
     if (!fault) check(save->commit({meta.head.revision, hash}));
     if (fault) return tl::unexpected{*std::move(fault)};
+    // Both are locked until the old one's journal is gone: nobody else makes one of that name.
+    fs::rename(temporary.path, target, code);
+    if (code) return tl::unexpected{fmt::format("{}: cannot be written: {}", file.string(), code.message())};
+    old->reset();
   }
-  fs::rename(temporary.path, file, code);
-  if (code) return tl::unexpected{fmt::format("{}: cannot be written: {}", file.string(), code.message())};
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path{"."};
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path{"."};
   if (const auto synced = store::sync_directory(folder); !synced) return tl::unexpected{synced.error()};
   return result;
 }

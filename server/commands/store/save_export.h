@@ -12,9 +12,9 @@
 
 namespace talus::server {
 
-/// Writes the save `file`, whole or not at all; one that is there is replaced. `world_file` is that of the
-/// store's world, empty for the built-in one; `settles`: loose material settles in the save. Fails if the
-/// world has another fingerprint, or does not name a material that was placed.
+/// Writes the save `file`, whole or not at all; a save that is there is replaced, unless a program uses it.
+/// `world_file` is that of the store's world, empty for the built-in one; `settles`: loose material settles
+/// in the save. Fails if the world has another fingerprint, or does not name a material that was placed.
 [[nodiscard]] tl::expected<ExportResult, std::string> export_save(const store::ReadOnlyStore& store,
                                                                   const std::filesystem::path& world_file,
                                                                   bool settles,
