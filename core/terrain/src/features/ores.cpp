@@ -293,6 +293,9 @@ void Ores::add_exposed(const Stacks& stacks, const Field* /*survey*/, std::span<
           const auto span = along.at((region.x + x) * step);
           // The voxel under the surface of the rock, or under the floor of an open cave, at its centre.
           const std::int32_t row = boundary_row(std::min(rock.at(x, z), stacks.ground_fx(x, z))) - 1;
+          // Loose material may fill only a part of the voxel above, which hides a secret's voxel all the
+          // same.
+          if (view_ == SecretView::exposed && row + 1 < boundary_row(stacks.ground_fx(x, z))) continue;
           if (span && row >= boundary_row(span->from_fx >> shift) &&
               row < boundary_row(span->to_fx >> shift)) {
             exposed[static_cast<std::size_t>(z) * static_cast<std::size_t>(region.width) +
