@@ -97,7 +97,7 @@ TEST_CASE("chunks come by array and by callback, each to its place") {
   CHECK(taken.count == 5);
 
   talus_cancel_generate(workspace.get());
-  std::int32_t uniform[5]{};
+  std::fill(std::begin(uniform), std::end(uniform), 0);
   CHECK(talus_generate(workspace.get(), keys, 5, 0, voxels.data(), uniform) == TALUS_CANCELLED);
   CHECK(std::count(uniform, uniform + 5, -2) == 5);
   CHECK(talus_generate(workspace.get(), keys, 5, 0, voxels.data(), nullptr) == TALUS_OK);
