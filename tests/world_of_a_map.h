@@ -1,6 +1,7 @@
 // A world whose ground is a height map from a file.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "scratch_directory.h"
@@ -15,7 +16,8 @@ inline std::string write_world_of_a_map(const ScratchDirectory& scratch, int sid
   head.resize(128 - 10 - 1, ' ');
   head += '\n';
   std::string map = std::string{"\x93NUMPY\x01\x00\x76\x00", 10} + head;
-  for (int i = 0; i < side * side; ++i) map += {static_cast<char>(i), static_cast<char>(i * i / 100 % 7)};
+  for (std::int64_t i = 0; i < std::int64_t{side} * side; ++i)
+    map += {static_cast<char>(i), static_cast<char>(i * i / 100 % 7)};
   (void)scratch.write("heights.npy", map);
   return scratch.write("world.toml", spec);
 }

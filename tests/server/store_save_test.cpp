@@ -175,7 +175,7 @@ TEST_CASE("an export replaces no save that is open, and finishes a journal first
   {
     const auto game = saves::Save::open(scratch / "game.talus");
     REQUIRE(game);
-    CHECK_THAT(error("game.talus"), Catch::Contains("another program uses this save"));
+    CHECK_THAT(error("game.talus"), Catch::Contains("is in use; close it where it is open"));
   }
   CHECK(error("game.talus").empty());
   CHECK_FALSE(fs::exists(scratch / "game.talus-journal"));
