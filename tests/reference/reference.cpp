@@ -28,9 +28,10 @@ constexpr std::array kSections{
     Section{"access",
             "Tokens and lists. SIGHUP reads the files again. Key files and the secret must not be blank or "
             "one repeated character."},
-    Section{"secret",
-            "Ore that no client can see or compute before land or edits expose it (OPERATIONS.md); set both or "
-            "neither."},
+    Section{
+        "secret",
+        "Ore that no client can see or compute before land or edits expose it (OPERATIONS.md); set both or "
+        "neither."},
     Section{"edits", "Bounds of edits, in addition to those of tokens (talusd token --help)."},
     Section{"tls", "Set both or neither. SIGHUP reads both files again, for new connections."},
     Section{"http",
