@@ -241,7 +241,7 @@ std::string report(const Plan& plan, const RunResult& result) {
                   std::thread::hardware_concurrency());
   text += waits_of(result);
   if (plan.published != nullptr) {
-    text += "  chunks: made by the players, who receive edits alone\n";
+    text += "  chunks: made by the players, which receive only edits\n";
   } else if (!plan.not_published.empty()) {
     text += fmt::format("  chunks: all sent by the server: {}\n", plan.not_published);
   }

@@ -112,7 +112,7 @@ asio::awaitable<void> explore(client::Client& client, Plan& plan) {
   }
 }
 
-/// What the client tells of the published world.
+/// The client's state of the published world.
 struct Opening {
   std::shared_ptr<const client::WorldFiles> files;
   std::string failure;

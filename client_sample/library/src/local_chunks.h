@@ -41,7 +41,7 @@ class LocalChunks : public std::enable_shared_from_this<LocalChunks> {
     virtual void cannot_generate(const std::string& why) = 0;
     /// Some chunks were made, or none is missing.
     virtual void made_some() = 0;
-    /// What the server sent for this chunk was dropped, as it left the View.
+    /// The server's update of this chunk was dropped, as the chunk left the View.
     virtual void pass_by(const ChunkKey& key) = 0;
     virtual Stats& counts() = 0;
   };

@@ -1,4 +1,4 @@
-// Which of the chunks made here are compared with the server's. Pure.
+// Chooses the chunks made here that are compared with the server's. Pure.
 #pragma once
 
 #include <cstddef>

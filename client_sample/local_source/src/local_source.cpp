@@ -21,7 +21,7 @@ namespace {
 
 using client::MadeChunk;
 
-// What one thread has: the memory to generate in, of the world it made last, and that world's uniform chunks.
+// One thread's memory to generate in, for the world it made last, and that world's uniform chunks.
 class Thread {
  public:
   explicit Thread(std::size_t ground_bytes) : ground_bytes_{ground_bytes} {}

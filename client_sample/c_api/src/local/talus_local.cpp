@@ -93,7 +93,7 @@ talus_status status_of(saves::SaveError::Kind kind) {
   }
 }
 
-// What talus_world_options says about files.
+// The reader of files that talus_world_options asks for.
 local::FileReader reader_of(const talus_world_options& options) {
   if (options.read_file != nullptr) {
     return [&options](const std::string& name) -> tl::expected<std::vector<std::byte>, std::string> {

@@ -51,7 +51,7 @@ struct ServerAddress {
   std::string port;
 };
 
-/// Whether the client makes a published world's chunks itself and receives only edits
+/// Lets the client make a published world's chunks itself and receive only edits
 /// (ServerLimits::view_base).
 enum class Generate : std::uint8_t {
   never,
