@@ -98,7 +98,7 @@ void add_fly(CLI::App& app, FlyOptions& options, Words& words) {
       ->check(within(0, 100000))
       ->capture_default_str();
   command_line::add_generate_option(*command, options.generate,
-                                    "Make chunks here and receive edits alone: auto (default: where the "
+                                    "Make chunks here and receive only edits: auto (default: where the "
                                     "server publishes its world), never, "
                                     "or always");
   add_path(*command, "-o,--output", options.output,

@@ -80,7 +80,7 @@ void add_players(CLI::App& app, Options& options) {
       ->capture_default_str();
   command_line::add_generate_option(
       app, options.generate,
-      "Players make the chunks of Views themselves, and receive edits alone: never (default), auto (where "
+      "Players make the chunks of Views themselves, and receive only edits: never (default), auto (where "
       "the "
       "server publishes its world) or always. They share one world here, and make only the chunks that they "
       "compare with the server's: as many as a real player");

@@ -1,5 +1,5 @@
 // A published world: a client that makes its chunks has the same voxels as one that receives them, and a real
-// talusd sends it edits alone.
+// talusd sends it only edits.
 #include <memory>
 #include <utility>
 

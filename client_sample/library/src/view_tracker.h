@@ -31,7 +31,7 @@ class ViewTracker {
   [[nodiscard]] bool deliver(const ReceivedChunk& chunk);
   /// The server has another store, whose revisions are not comparable with earlier ones.
   void forget_revisions();
-  /// As well, where the server sends edits alone: edited chunks are out of date until they are delivered
+  /// As well, where the server sends only edits: edited chunks are out of date until they are delivered
   /// again.
   void outdate_edited();
 

@@ -104,7 +104,7 @@ export class World {
   readonly heightRange: { low: number; high: number };
   /** By id. */
   readonly materials: readonly WorldMaterial[];
-  /** Of edits alone. Their ids are those of this module, not of a server. */
+  /** Only for edits. Their ids are those of this module, not of a server. */
   readonly placeables: readonly WorldMaterial[];
   /** 'wasm128' or 'scalar'. */
   readonly instructionSet: string;

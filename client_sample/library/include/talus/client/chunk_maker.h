@@ -1,4 +1,4 @@
-// Makes a published world's chunks inside the client, so that the server sends edits alone (Options::maker).
+// Makes a published world's chunks inside the client, so that the server sends only edits (Options::maker).
 // The client library knows no generator: talus/local_source/local_source.h implements this by Talus' own.
 #pragma once
 

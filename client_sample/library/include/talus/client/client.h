@@ -43,7 +43,7 @@
 // refuses one and gives a delay, the client repeats it after that delay.
 //
 // With Options::generate, and a server that publishes its world, the client makes the chunks of the View
-// itself, on the maker's threads, and receives edits alone. It fetches the world's file, compares
+// itself, on the maker's threads, and receives only edits. It fetches the world's file, compares
 // fingerprints, and until the world is open receives chunks as without. on_chunk and on_view_complete are the
 // same wherever a chunk is made. Some of the chunks made here are compared with the server's (kFirstProofs at
 // first, then one for kChunksPerProof made). If one differs, or the world cannot be opened, on_error says so

@@ -56,7 +56,7 @@ export class World {
   readonly codecVersion: number;
   /** Base rows that hold everything but rock and air. */
   readonly heightRange: { readonly low: number; readonly high: number };
-  /** By rising id, which is no index: those of the land, then those of edits alone, whose ids are not a server's. */
+  /** By rising id, which is no index: those of the land, then those only for edits, whose ids are not a server's. */
   readonly materials: readonly Material[];
   /** 'wasm128' or 'scalar'. */
   readonly instructionSet: string;
